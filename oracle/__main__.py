@@ -1,0 +1,69 @@
+"""`python -m oracle [equations|pendulum|proofs] [--check]`: prove, then write or compare fixtures."""
+
+import argparse
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor
+from importlib import import_module
+
+from . import fixture
+from .proofs import PROOFS
+
+FIXTURES = ("equations", "pendulum")
+SHOWN = 10
+
+
+def prove():
+    """Runs every proof; an assertion that fails ends the program."""
+    for proof in PROOFS:
+        start = time.perf_counter()
+        sentence = proof()
+        print(f"proved   {time.perf_counter() - start:6.1f} s  {sentence}", flush=True)
+
+
+def derive(name):
+    """One fixture derived afresh, and the seconds that it took."""
+    start = time.perf_counter()
+    return import_module(f".{name}", __package__).generate(), time.perf_counter() - start
+
+
+def compare(module, fresh):
+    """Where the stored fixture differs from the derived one, as lines that name file and place."""
+    try:
+        faults = module.differences(fixture.read(module.FILE), fresh)
+    except (OSError, ValueError) as error:
+        faults = [f"cannot be read: {error}"]
+    return [f"fixtures/{module.FILE}: {fault}" for fault in faults]
+
+
+def main():
+    """The command line; exit code 1 when a stored fixture differs from the derived one."""
+    parser = argparse.ArgumentParser(prog="python -m oracle", description=__doc__)
+    parser.add_argument("only", nargs="?", choices=(*FIXTURES, "proofs"), help="everything without it")
+    parser.add_argument("--check", action="store_true", help="compare, write nothing")
+    arguments = parser.parse_args()
+    names = {None: FIXTURES, "proofs": ()}.get(arguments.only, (arguments.only,))
+    faults = []
+    with ProcessPoolExecutor(max_workers=2) as pool:
+        # Deriving starts at once, on its own cores; nothing is written before the proofs hold.
+        derivations = {name: pool.submit(derive, name) for name in names}
+        prove()
+        for name, derivation in derivations.items():
+            module = import_module(f".{name}", __package__)
+            fresh, seconds = derivation.result()
+            if arguments.check:
+                found = compare(module, fresh)
+                faults += found
+                verb, note = ("differs" if found else "agrees"), ""
+            else:
+                verb, note = "written", f", {fixture.write(module.FILE, fresh)} bytes"
+            print(f"{verb:8} {seconds:6.1f} s  fixtures/{module.FILE}{note}", flush=True)
+    for fault in faults[:SHOWN]:
+        print(fault, file=sys.stderr)
+    if len(faults) > SHOWN:
+        print(f"... and {len(faults) - SHOWN} more differences", file=sys.stderr)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,31 @@
+"""What the paper prints, proved or refuted symbol by symbol: `python -m oracle proofs`.
+
+Each proof asserts, and returns the sentence that it has established.
+"""
+
+from .energy import (
+    five_by_three_points_are_exact,
+    force_and_tangent_are_differences,
+    printed_K_3_loads_an_undeformed_element,
+    printed_shear_depends_on_the_frame,
+    printed_shear_softens_an_inclined_rod,
+)
+from .interpolation import (
+    a_1_is_misprinted,
+    coefficients_start_at_zero,
+    printed_shape_functions_hold,
+)
+from .strain import printed_forms_of_the_metric_hold, thermal_stretch_is_a_root
+
+PROOFS = (
+    a_1_is_misprinted,
+    coefficients_start_at_zero,
+    printed_shape_functions_hold,
+    printed_forms_of_the_metric_hold,
+    thermal_stretch_is_a_root,
+    printed_K_3_loads_an_undeformed_element,
+    printed_shear_depends_on_the_frame,
+    printed_shear_softens_an_inclined_rod,
+    five_by_three_points_are_exact,
+    force_and_tangent_are_differences,
+)

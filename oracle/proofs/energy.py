@@ -1,0 +1,162 @@
+"""The strain energy (18) and what (19)-(21) take from it."""
+
+from itertools import product
+
+import sympy
+from sympy import Rational, diff, expand, integrate, simplify
+
+from .. import field
+from ..element import DOF, Element
+from ..field import l, x, y
+from ..fixture import to_sympy
+from ..state import Q, make, scatter, straight
+from ..states import DOWN_46, EAST, PENDULUM, TABLE_1, states
+from .strain import I, R, theta
+
+h, w, lam, mu = sympy.symbols("h w lambda mu", positive=True)
+
+
+def density(E, shear_weight):
+    """Energy density of (18) with a weight for E_12: 4 mu makes it the contraction, 2 mu is printed."""
+    same = (lam + 2 * mu) / 2 * (E[0, 0] ** 2 + E[1, 1] ** 2) + lam * E[0, 0] * E[1, 1]
+    return same + shear_weight / 2 * E[0, 1] ** 2
+
+
+def printed_K_3_loads_an_undeformed_element():
+    """E2. K_3 e with the printed -1 does work in a pure shear of the undeformed element.
+
+    The element is straight at any angle. S_c1 e is the derivative of e^T S_c e = (J^T J)_12, and
+    the derivation takes that of the energy's part with eps_3^2/2, eps_3 = (J^T J)_12/2.
+    """
+    step = sympy.symbols("step")
+
+    def nodal(matrix):
+        """Nodal vectors of r = matrix (x, y)."""
+        rows = [field.nodal_values(component) for component in matrix * sympy.Matrix([x, y])]
+        return [value for pair in zip(*rows) for value in pair]
+
+    e = nodal(R + step * sympy.Matrix([[0, 1], [1, 0]]) * R)
+    r = [sum(S * q for S, q in zip(field.shape_functions(), e[i::2])) for i in range(2)]
+    J = sympy.Matrix(r).jacobian([x, y]) * R.T
+    C_12 = (J.T * J)[0, 1]
+
+    def work(rate):
+        at_rest = simplify(rate.subs(step, 0))
+        return simplify(w * integrate(at_rest, (y, -h / 2, h / 2), (x, 0, l)))
+
+    assert work(diff((C_12 / 2) ** 2 / 2, step)) == 0
+    assert work(diff(C_12, step) * (C_12 - 1) / 4) == -l * h * w / 2
+    return "E2: K_3 as printed does the work -l h w/2 in a unit shear of an undeformed element"
+
+
+def printed_shear_depends_on_the_frame():
+    """E3. Turning an element with everything on it must not change its energy.
+
+    At any point of any state, let G be dr/d(x, y) with the element laid along the first axis. At
+    the inclination theta the gradient is J = R G R^T. As R^T R = I, the strain is R E R^T, and so
+    is the thermal strain of either model. What holds of the density then holds of its integral U.
+    """
+    assert simplify(R.T * R) == I
+    E_11, E_22, E_12 = sympy.symbols("E_11 E_22 E_12")
+    own = sympy.Matrix([[E_11, E_12], [E_12, E_22]])
+    contraction = sum(
+        (lam * I[i, j] * I[k, m] + mu * (I[i, k] * I[j, m] + I[i, m] * I[j, k])) * own[i, j] * own[k, m] / 2
+        for i, j, k, m in product(range(2), repeat=4)
+    )
+    assert expand(contraction - density(own, 4 * mu)) == 0
+    E = R * own * R.T
+    assert simplify(diff(density(E, 4 * mu), theta)) == 0
+    slope = diff(density(E, 2 * mu), theta).subs(theta, 0)
+    assert simplify(slope) == 2 * mu * E_12 * (E_22 - E_11)
+
+    energies = []
+    for direction in (EAST, DOWN_46):
+        stretch = straight(direction, axial=Q(101, 100))
+        element = Element(make("", "", "", PENDULUM, direction, stretch, material=TABLE_1))
+        pair = (element.energy, element.energy_printed_shear)
+        energies.append([element.at_state(energy) for energy in pair])
+    (level, level_printed), (inclined, inclined_printed) = energies
+    assert level == inclined == level_printed != inclined_printed
+    ratio = float(to_sympy(inclined_printed / level_printed))
+    return f"E3: with 4 mu dU/dtheta = 0; with 2 mu a stretched rod at -46.4 degrees has {ratio:.4f} of its U"
+
+
+def printed_shear_softens_an_inclined_rod():
+    """E3 in numbers, at nu = 0: the compliance of a slender rod by its inclination.
+
+    In bending the strain across the section, linear in y, can only be axial: t t^T. In tension the
+    other two components, uniform over the section, take the values of least energy.
+    """
+    t, n = R[:, 0], R[:, 1]
+    across, slip = sympy.symbols("across slip")
+
+    def stiffness(E):
+        return 2 * density(E, 2 * mu).subs({lam: 0, mu: Rational(1, 2)})
+
+    bending = simplify(stiffness(t * t.T))
+    tension = stiffness(t * t.T + across * n * n.T + slip * (t * n.T + n * t.T))
+    least = sympy.solve([diff(tension, across), diff(tension, slip)], [across, slip])
+    found = []
+    for degrees, in_bending, in_tension in ((45, 1.333, 1.5), (80, 1.030, 1.058)):
+        at = {theta: sympy.rad(degrees)}
+        pair = [float(1 / k.subs(at)) for k in (bending, tension.subs(least))]
+        assert all(abs(a - b) < 6e-4 for a, b in zip(pair, (in_bending, in_tension)))
+        found.append(f"{pair[0]:.3f} and {pair[1]:.3f} at {degrees} degrees")
+    return "E3: compliance in bending and tension is multiplied by " + ", ".join(found)
+
+
+def five_by_three_points_are_exact():
+    """The integrand of (21) has degree 8 in x and 4 in y for a straight element, level or inclined.
+
+    The pairs name the strain eps_k and the second derivative of eps_n that K_1, K_2 and K_3
+    multiply; n Gauss points integrate the degree 2 n - 1 exactly.
+    """
+    pairs = ((0, 0), (1, 1), (0, 1), (1, 0), (2, 2))
+    for direction in (EAST, DOWN_46):
+        element = Element(next(state for state in states() if state.direction == direction))
+        strains = element.vector(element.generic_strain)
+        degrees = [
+            (strains[k] * element.strain_hessians[n][i][j]).degrees()[:2]
+            for k, n in pairs for i in range(DOF) for j in range(i, DOF)
+        ]
+        largest = [max(d) for d in zip(*degrees)]
+        assert largest == [8, 4]
+        points = [next(n for n in range(1, 9) if 2 * n - 1 >= degree) for degree in largest]
+        assert points == [5, 3]
+    return "the integrand of (21) has degree (8, 4): 5 x 3 Gauss points are exact, fewer are not"
+
+
+def force_and_tangent_are_differences():
+    """Q_e and the tangent against five-point differences of U, which are exact as U is quartic in e.
+
+    Here U is integrated by sympy at five numerical states, with the density above: no step but the
+    derived shape functions is shared with the polynomials in e that the fixture differentiates.
+    """
+    state = next(state for state in states() if state.id == "random-bar-2d")
+    element = Element(state)
+    direction = scatter(99, 8, 8)
+    cosine, sine = map(to_sympy, state.direction)
+    turn = sympy.Matrix([[cosine, -sine], [sine, cosine]])
+    size = {name: to_sympy(getattr(state, name)) for name in ("l", "h", "w", "E", "nu", "alpha", "dT")}
+    first = size["E"] * size["nu"] / (1 + size["nu"]) / (1 - 2 * size["nu"])
+    shear = size["E"] / (1 + size["nu"]) / 2
+
+    def energy(step, shear_weight):
+        e = [to_sympy(q + step * d) for q, d in zip(state.e, direction)]
+        shapes = [S.subs(l, size["l"]) for S in field.shape_functions()]
+        r = sympy.Matrix([sum(S * q for S, q in zip(shapes, e[i::2])) for i in range(2)])
+        J = r.jacobian([x, y]) * turn.T
+        E = ((J.T * J - I) / 2 - size["alpha"] * size["dT"] * I).applyfunc(expand)
+        W = density(E, shear_weight).subs({lam: first, mu: shear})
+        half = size["h"] / 2
+        return size["w"] * integrate(integrate(expand(W), (y, -half, half)), (x, 0, size["l"]))
+
+    for shear_weight, polynomial in ((4 * mu, element.energy), (2 * mu, element.energy_printed_shear)):
+        U = {step: energy(step, shear_weight) for step in (-2, -1, 0, 1, 2)}
+        slope = (U[-2] - 8 * U[-1] + 8 * U[1] - U[2]) / 12
+        curvature = (-U[-2] + 16 * U[-1] - 30 * U[0] + 16 * U[1] - U[2]) / 12
+        force, tangent = element.force(polynomial), element.tangent(polynomial)
+        assert slope == to_sympy(sum(f * d for f, d in zip(force, direction)))
+        second = sum(a * k * b for a, row in zip(direction, tangent) for k, b in zip(row, direction))
+        assert curvature == to_sympy(second)
+    return "Q_e and the tangent are the exact differences of U, integrated a second way"

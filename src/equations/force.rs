@@ -1,0 +1,163 @@
+//! Equations (18)–(21): strain energy, elastic forces, stiffness; and the tangent ∂Q_e/∂e, which the paper leaves out.
+
+use super::material::{D, sigma};
+use super::shape::Vector14;
+use super::strain::{S_abc, eps, eps_1, eps_2, eps_3, eps_f};
+use super::volume::gauss_points;
+use nalgebra::{SMatrix, Vector3};
+
+/// A 14 × 14 matrix, such as M, K or S_a.
+pub type Matrix14 = SMatrix<f64, 14, 14>;
+
+/// An element in its initial, unstretched configuration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Element {
+    /// Length, m.
+    pub l: f64,
+    /// Height of the section, in the plane of motion, m.
+    pub h: f64,
+    /// Width of the section, across the plane, m.
+    pub w: f64,
+    /// Nodal coordinates of the initial configuration.
+    pub e_0: Vector14,
+}
+
+/// What (21) is integrated from: S_a, S_b, S_c and the volume at each Gauss point.
+struct Station {
+    S_a: Matrix14,
+    S_b: Matrix14,
+    S_c: Matrix14,
+    dV: f64,
+}
+
+fn stations(element: &Element) -> impl Iterator<Item = Station> {
+    gauss_points(element.l, element.h, element.w).into_iter().map(|p| {
+        let (S_a, S_b, S_c) = S_abc(p.x, p.y, element);
+        Station { S_a, S_b, S_c, dV: p.dV }
+    })
+}
+
+/// (18) Strain energy, J, **consistent**: U = ½ ∫_V (ε₁σ₁ + ε₂σ₂ + 2 ε₃σ₃) dV.
+///
+/// The contraction ε : σ counts ε₁₂σ₁₂ = ε₂₁σ₂₁ twice. Only so is U the same in every frame (E3).
+pub fn U(e: &Vector14, eps_T: &Vector3<f64>, lambda: f64, mu: f64, element: &Element) -> f64 {
+    let D = D(lambda, mu);
+    let mut U = 0.0;
+    for Station { S_a, S_b, S_c, dV } in stations(element) {
+        let eps = eps(&eps_f(eps_1(e, &S_a), eps_2(e, &S_b), eps_3(e, &S_c)), eps_T);
+        let sigma = sigma(&D, &eps);
+        U += 0.5 * (eps[0] * sigma[0] + eps[1] * sigma[1] + 2.0 * eps[2] * sigma[2]) * dV;
+    }
+    U
+}
+
+/// (18) Strain energy **as printed**, J: U = ½ ∫_V εᵀσ dV, which counts the shear once (E3).
+///
+/// It changes when the same rod is described in a turned frame: defined in global axes only.
+pub fn U_printed(e: &Vector14, eps_T: &Vector3<f64>, lambda: f64, mu: f64, element: &Element) -> f64 {
+    let D = D(lambda, mu);
+    let mut U = 0.0;
+    for Station { S_a, S_b, S_c, dV } in stations(element) {
+        let eps = eps(&eps_f(eps_1(e, &S_a), eps_2(e, &S_b), eps_3(e, &S_c)), eps_T);
+        U += 0.5 * eps.dot(&sigma(&D, &eps)) * dV;
+    }
+    U
+}
+
+/// (19) Elastic forces: Q_eᵀ = ∂U/∂e = eᵀK, so Q_e = Kᵀe; N on positions, N m on slopes.
+///
+/// Consistent with K of [`K`], as printed with K of [`K_printed`].
+pub fn Q_e(e: &Vector14, K: &Matrix14) -> Vector14 {
+    K.tr_mul(e)
+}
+
+/// (20) Stiffness matrix, **consistent**: K = (λ + 2μ) K₁ + λ K₂ + 4μ K₃, for the energy [`U`] (E3).
+pub fn K(lambda: f64, mu: f64, K_1: &Matrix14, K_2: &Matrix14, K_3: &Matrix14) -> Matrix14 {
+    (lambda + 2.0 * mu) * K_1 + lambda * K_2 + 4.0 * mu * K_3
+}
+
+/// (20) Stiffness matrix **as printed**: K = (λ + 2μ) K₁ + λ K₂ + 2μ K₃, for the energy [`U_printed`] (E3).
+pub fn K_printed(lambda: f64, mu: f64, K_1: &Matrix14, K_2: &Matrix14, K_3: &Matrix14) -> Matrix14 {
+    (lambda + 2.0 * mu) * K_1 + lambda * K_2 + 2.0 * mu * K_3
+}
+
+/// (21) S_a1 = S_aᵀ + S_a, and so S_b1 and S_c1: the symmetric matrices with ∂(eᵀS e)/∂e = S₁e.
+pub fn S_1(S: &Matrix14) -> Matrix14 {
+    S.transpose() + S
+}
+
+/// (21) K₁ = ¼ ∫_V \[S_a1 (eᵀS_a e − 1 − 2ε_T1) + S_b1 (eᵀS_b e − 1 − 2ε_T2)\] dV, m³.
+///
+/// The paper's α_T ΔT is ε_T1 = ε_T2 of (8); ε_T stands here so that the 1D model fits too.
+pub fn K_1(e: &Vector14, eps_T: &Vector3<f64>, element: &Element) -> Matrix14 {
+    let mut K_1 = Matrix14::zeros();
+    for Station { S_a, S_b, dV, .. } in stations(element) {
+        let a = e.dot(&(S_a * e)) - 1.0 - 2.0 * eps_T[0];
+        let b = e.dot(&(S_b * e)) - 1.0 - 2.0 * eps_T[1];
+        K_1 += 0.25 * (S_1(&S_a) * a + S_1(&S_b) * b) * dV;
+    }
+    K_1
+}
+
+/// (21) K₂ = ¼ ∫_V \[S_a1 (eᵀS_b e − 1 − 2ε_T2) + S_b1 (eᵀS_a e − 1 − 2ε_T1)\] dV, m³.
+pub fn K_2(e: &Vector14, eps_T: &Vector3<f64>, element: &Element) -> Matrix14 {
+    let mut K_2 = Matrix14::zeros();
+    for Station { S_a, S_b, dV, .. } in stations(element) {
+        let a = e.dot(&(S_a * e)) - 1.0 - 2.0 * eps_T[0];
+        let b = e.dot(&(S_b * e)) - 1.0 - 2.0 * eps_T[1];
+        K_2 += 0.25 * (S_1(&S_a) * b + S_1(&S_b) * a) * dV;
+    }
+    K_2
+}
+
+/// (21) K₃, **consistent**: K₃ = ¼ ∫_V S_c1 (eᵀS_c e − 2ε_T3) dV, m³.
+///
+/// No "− 1" (E2): ε₃ of (13) has none, and with it the undeformed element would not be in equilibrium. ε_T3 is zero in
+/// (8) and α_T ΔT sin θ cos θ in the 1D model.
+pub fn K_3(e: &Vector14, eps_T: &Vector3<f64>, element: &Element) -> Matrix14 {
+    let mut K_3 = Matrix14::zeros();
+    for Station { S_c, dV, .. } in stations(element) {
+        K_3 += 0.25 * S_1(&S_c) * (e.dot(&(S_c * e)) - 2.0 * eps_T[2]) * dV;
+    }
+    K_3
+}
+
+/// (21) K₃ **as printed**: ¼ ∫_V S_c1 (eᵀS_c e − 1) dV (E2). Kept to show that it fails; nothing runs with it.
+pub fn K_3_printed(e: &Vector14, element: &Element) -> Matrix14 {
+    let mut K_3 = Matrix14::zeros();
+    for Station { S_c, dV, .. } in stations(element) {
+        K_3 += 0.25 * S_1(&S_c) * (e.dot(&(S_c * e)) - 1.0) * dV;
+    }
+    K_3
+}
+
+/// Tangent ∂Q_e/∂e, **consistent**, symmetric. The paper leaves it out; Newton's iteration needs it.
+///
+/// Q_e = K e, and K depends on e through eᵀS_a e, eᵀS_b e, eᵀS_c e alone, whose derivatives are eᵀS_a1, eᵀS_b1, eᵀS_c1.
+/// By the product rule ∂(K₁e)/∂e = K₁ + ¼ ∫ \[(S_a1 e)(S_a1 e)ᵀ + (S_b1 e)(S_b1 e)ᵀ\] dV, and so on:
+///
+/// ∂Q_e/∂e = K + ¼ ∫_V { (λ + 2μ) \[aaᵀ + bbᵀ\] + λ \[abᵀ + baᵀ\] + 4μ ccᵀ } dV,  a = S_a1 e, b = S_b1 e, c = S_c1 e.
+///
+/// K holds the stresses (the geometric part), the integral the elasticity (the material part).
+pub fn tangent(e: &Vector14, eps_T: &Vector3<f64>, lambda: f64, mu: f64, element: &Element) -> Matrix14 {
+    let (K_1, K_2, K_3) = (K_1(e, eps_T, element), K_2(e, eps_T, element), K_3(e, eps_T, element));
+    K(lambda, mu, &K_1, &K_2, &K_3) + tangent_material(e, lambda, mu, 4.0 * mu, element)
+}
+
+/// Tangent of the energy **as printed** (E3): [`tangent`] with 2μ in place of 4μ.
+pub fn tangent_printed(e: &Vector14, eps_T: &Vector3<f64>, lambda: f64, mu: f64, element: &Element) -> Matrix14 {
+    let (K_1, K_2, K_3) = (K_1(e, eps_T, element), K_2(e, eps_T, element), K_3(e, eps_T, element));
+    K_printed(lambda, mu, &K_1, &K_2, &K_3) + tangent_material(e, lambda, mu, 2.0 * mu, element)
+}
+
+/// The integral in [`tangent`]; `shear` is the factor of ccᵀ, Pa.
+fn tangent_material(e: &Vector14, lambda: f64, mu: f64, shear: f64, element: &Element) -> Matrix14 {
+    let mut K_m = Matrix14::zeros();
+    for Station { S_a, S_b, S_c, dV } in stations(element) {
+        let (a, b, c) = (S_1(&S_a) * e, S_1(&S_b) * e, S_1(&S_c) * e);
+        let normal = a * a.transpose() + b * b.transpose();
+        let cross = a * b.transpose() + b * a.transpose();
+        K_m += 0.25 * ((lambda + 2.0 * mu) * normal + lambda * cross + shear * c * c.transpose()) * dV;
+    }
+    K_m
+}

@@ -1,0 +1,45 @@
+//! Equations (6)–(7): kinetic energy and the constant mass matrix; the generalized force of gravity.
+
+use super::force::{Element, Matrix14};
+use super::shape::{S, Vector14, r_dot};
+use super::volume::gauss_points;
+use nalgebra::Vector2;
+
+/// (6), first form: kinetic energy, J: T = ½ ∫_V ρ ṙᵀṙ dV.
+pub fn T_integral(e_dot: &Vector14, rho: f64, element: &Element) -> f64 {
+    let Element { l, h, w, .. } = *element;
+    let mut T = 0.0;
+    for p in gauss_points(l, h, w) {
+        let r_dot = r_dot(p.x, p.y, e_dot, l);
+        T += 0.5 * rho * r_dot.dot(&r_dot) * p.dV;
+    }
+    T
+}
+
+/// (6), second form: kinetic energy, J: T = ½ ėᵀ M ė.
+pub fn T(M: &Matrix14, e_dot: &Vector14) -> f64 {
+    0.5 * e_dot.dot(&(M * e_dot))
+}
+
+/// (7) Mass matrix: M = ∫_V ρ SᵀS dV, symmetric positive definite; kg, kg m and kg m² for positions and slopes.
+pub fn M(rho: f64, element: &Element) -> Matrix14 {
+    let Element { l, h, w, .. } = *element;
+    let mut M = Matrix14::zeros();
+    for p in gauss_points(l, h, w) {
+        let S = S(p.x, p.y, l);
+        M += rho * S.transpose() * S * p.dV;
+    }
+    M
+}
+
+/// The generalized force of gravity, a part of (22)'s Q_w: Q_w = ∫_V ρ Sᵀg dV, for g in m/s².
+///
+/// It is the derivative of the work ∫_V ρ g·r dV with respect to e: N on positions, N m on slopes.
+pub fn Q_w_gravity(g: &Vector2<f64>, rho: f64, element: &Element) -> Vector14 {
+    let Element { l, h, w, .. } = *element;
+    let mut Q_w = Vector14::zeros();
+    for p in gauss_points(l, h, w) {
+        Q_w += rho * S(p.x, p.y, l).transpose() * g * p.dV;
+    }
+    Q_w
+}

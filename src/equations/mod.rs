@@ -1,0 +1,122 @@
+//! **The paper.** Equations (1)–(22) and (A.1)–(A.5) of Peng et al. (2018), one function each, in the paper's order
+//! and symbols: [`shape`] (1)–(5), [`inertia`] (6)–(7), [`strain`] (8)–(14), [`material`] (15)–(17), [`force`]
+//! (18)–(21), [`motion`] (22).
+//!
+//! Pure functions of numbers and arrays in SI units, global axes, for reading and checking;
+//! [`kernel`](crate::kernel) is the same element arranged for speed.
+//!
+//! **Two forms.** Where the paper is wrong, the printed form (`…_printed`) stands beside the consistent one:
+//! E1 [`shape::coefficients_printed`], E2 [`force::K_3_printed`], E3 [`force::U_printed`] and [`force::K_printed`].
+//! Everything else in this crate uses the consistent forms.
+
+#![allow(non_snake_case)] // The paper's symbols are names here: S, M, K_1, S_a, eps_T.
+
+pub mod force;
+pub mod inertia;
+pub mod material;
+pub mod motion;
+pub mod shape;
+pub mod strain;
+pub mod volume;
+
+/// How a function stands to the equation as printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// The paper is right and this is its equation.
+    AsPrinted,
+    /// The paper is wrong; this is the equation that follows from its premises.
+    Consistent,
+    /// The paper is wrong; this is what it prints.
+    Printed,
+    /// The paper leaves it out.
+    Beyond,
+}
+
+/// One function of this module and the equation it states.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// The equation's number in the paper, empty where it has none.
+    pub equation: &'static str,
+    /// Path of the function below `equations`.
+    pub function: &'static str,
+    /// The name of its value in [`state::evaluate`](crate::state::evaluate).
+    pub quantity: &'static str,
+    /// The name of the value in `fixtures/equations.json` that it must equal.
+    pub reference: &'static str,
+    /// Printed or consistent.
+    pub form: Form,
+}
+
+const fn entry(equation: &'static str, function: &'static str, quantity: &'static str, form: Form) -> Entry {
+    Entry { equation, function, quantity, reference: quantity, form }
+}
+
+/// A second way to the value `reference`.
+const fn also(
+    equation: &'static str,
+    function: &'static str,
+    quantity: &'static str,
+    reference: &'static str,
+) -> Entry {
+    Entry { equation, function, quantity, reference, form: Form::AsPrinted }
+}
+
+/// Number → function, in the paper's order. A test holds it against the source, the fixtures and the tests.
+pub const CONTENTS: &[Entry] = &[
+    entry("1", "shape::r", "1.r", Form::AsPrinted),
+    entry("2", "shape::S", "2.S", Form::AsPrinted),
+    entry("3", "shape::S_i", "3.S", Form::AsPrinted),
+    entry("", "shape::S_i_x", "3.S_x", Form::Beyond),
+    entry("", "shape::S_i_y", "3.S_y", Form::Beyond),
+    entry("4", "shape::nodes", "4.nodes", Form::AsPrinted),
+    entry("5", "shape::r_dot", "5.rdot", Form::AsPrinted),
+    entry("6", "inertia::T_integral", "6.T", Form::AsPrinted),
+    also("6", "inertia::T", "6.T/matrix", "6.T"),
+    entry("7", "inertia::M", "7.M", Form::AsPrinted),
+    entry("8", "strain::eps_T", "8.epsilon_T", Form::AsPrinted),
+    entry("", "strain::eps_T_1d", "8.epsilon_T", Form::Beyond),
+    entry("9", "strain::J_0", "9.J_0", Form::AsPrinted),
+    also("11", "strain::J_0_theta", "9.J_0/theta", "9.J_0"),
+    entry("9", "strain::J", "9.J", Form::AsPrinted),
+    entry("10", "strain::eps_m", "10.epsilon_m", Form::AsPrinted),
+    entry("11", "strain::S_abc_theta", "11.S_a", Form::AsPrinted),
+    entry("11", "strain::S_abc_theta", "11.S_b", Form::AsPrinted),
+    entry("11", "strain::S_abc_theta", "11.S_c", Form::AsPrinted),
+    also("11", "strain::S_abc", "11.S_a/general", "11.S_a"),
+    also("11", "strain::S_abc", "11.S_b/general", "11.S_b"),
+    also("11", "strain::S_abc", "11.S_c/general", "11.S_c"),
+    entry("12", "strain::eps_f", "12.epsilon_f", Form::AsPrinted),
+    entry("13", "strain::eps_1", "13.epsilon_1", Form::AsPrinted),
+    entry("13", "strain::eps_2", "13.epsilon_2", Form::AsPrinted),
+    entry("13", "strain::eps_3", "13.epsilon_3", Form::AsPrinted),
+    entry("14", "strain::eps", "14.epsilon", Form::AsPrinted),
+    entry("15", "material::sigma", "15.sigma", Form::AsPrinted),
+    entry("16", "material::D", "16.D", Form::AsPrinted),
+    entry("17", "material::lambda", "17.lambda", Form::AsPrinted),
+    entry("17", "material::mu", "17.mu", Form::AsPrinted),
+    entry("18", "force::U", "18.U", Form::Consistent),
+    entry("18", "force::U_printed", "18.U/printed-shear", Form::Printed),
+    entry("19", "force::Q_e", "19.Q_e", Form::Consistent),
+    entry("19", "force::Q_e", "19.Q_e/printed-shear", Form::Printed),
+    entry("20", "force::K", "20.K", Form::Consistent),
+    entry("20", "force::K_printed", "20.K/printed-shear", Form::Printed),
+    entry("21", "force::S_1", "21.S_a1", Form::AsPrinted),
+    entry("21", "force::S_1", "21.S_b1", Form::AsPrinted),
+    entry("21", "force::S_1", "21.S_c1", Form::AsPrinted),
+    entry("21", "force::K_1", "21.K_1", Form::AsPrinted),
+    entry("21", "force::K_2", "21.K_2", Form::AsPrinted),
+    entry("21", "force::K_3", "21.K_3", Form::Consistent),
+    entry("21", "force::K_3_printed", "21.K_3/printed", Form::Printed),
+    entry("", "force::tangent", "tangent.dQ_e", Form::Beyond),
+    entry("", "force::tangent_printed", "tangent.dQ_e/printed-shear", Form::Beyond),
+    entry("", "inertia::Q_w_gravity", "gravity.Q_w", Form::Beyond),
+    entry("22", "motion::acceleration", "22.eddot", Form::AsPrinted),
+    also("22", "motion::residual", "22.residual", "zero"),
+    entry("A.1", "shape::r_polynomial", "A.1.r", Form::AsPrinted),
+    entry("A.2", "shape::nodal_conditions", "A.2.e", Form::AsPrinted),
+    entry("A.3", "shape::coefficients", "A.3.coefficients", Form::Consistent),
+    entry("A.3", "shape::coefficients_printed", "A.3.coefficients/printed", Form::Printed),
+    entry("A.4", "shape::r_nodal", "A.4.r", Form::AsPrinted),
+    also("A.5", "shape::S", "A.5.S", "2.S"),
+    also("A.5", "shape::e", "A.5.e", "A.2.e"),
+];

@@ -1,0 +1,43 @@
+//! ∫_V … dV over an element by Gauss's rule.
+//!
+//! **Which degree, and why.** For a straight element J₀ is constant. r_x is then of degree 2 in x and 1 in y, r_y
+//! of degree 2 in x and 0 in y, so a strain is of degree 4 in x and 2 in y, and the integrands of (18) and (21),
+//! products of two strains or of a strain with S_a1, are of degree 8 in x and 4 in y. Gauss's rule with n points is
+//! exact to degree 2n − 1: **five points along x and three across y** integrate them exactly. The integrands of (6)
+//! and (7) are of degree 6 in x and 2 in y: the same points are exact for them too.
+
+/// A point of the rule.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// Coordinate along the axis, m.
+    pub x: f64,
+    /// Coordinate across the section, m.
+    pub y: f64,
+    /// Its share of the volume, m³.
+    pub dV: f64,
+}
+
+/// Nodes and weights of Gauss's five-point rule on \[−1, 1\], exact to degree 9: the roots of the Legendre polynomial P₅.
+pub const GAUSS_5: [(f64, f64); 5] = [
+    (-0.906_179_845_938_664, 0.236_926_885_056_189_08),
+    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
+    (0.0, 0.568_888_888_888_888_9),
+    (0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
+    (0.906_179_845_938_664, 0.236_926_885_056_189_08),
+];
+
+/// Nodes and weights of Gauss's three-point rule on \[−1, 1\], exact to degree 5: the roots of the Legendre polynomial P₃.
+pub const GAUSS_3: [(f64, f64); 3] = [
+    (-0.774_596_669_241_483_4, 0.555_555_555_555_555_6),
+    (0.0, 0.888_888_888_888_888_8),
+    (0.774_596_669_241_483_4, 0.555_555_555_555_555_6),
+];
+
+/// The 5 × 3 points of a straight element of length `l`, height `h` and width `w` (m); Σ dV = l h w.
+pub fn gauss_points(l: f64, h: f64, w: f64) -> [Point; 15] {
+    std::array::from_fn(|n| {
+        let (xi, w_xi) = GAUSS_5[n / 3];
+        let (eta, w_eta) = GAUSS_3[n % 3];
+        Point { x: l / 2.0 * (1.0 + xi), y: h / 2.0 * eta, dV: l / 2.0 * w_xi * h / 2.0 * w_eta * w }
+    })
+}

@@ -1,0 +1,124 @@
+//! What can go wrong, with the numbers and names that a person needs to mend it.
+
+use std::path::PathBuf;
+
+/// Result with this crate's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Everything that can go wrong between a scene file and its output files.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The scene file holds something that is not allowed there.
+    #[error("{file}: `{key}` is {value}; allowed: {allowed}")]
+    Scene {
+        /// File the scene was read from, or the name of a built-in scene; with line and column where the value stands
+        /// in a file (`pendulum.json:4:21`).
+        file: String,
+        /// Path of the key inside the scene, such as `material.E` or `rods[0].from`.
+        key: String,
+        /// The offending value as it was written.
+        value: String,
+        /// What would have been accepted.
+        allowed: String,
+    },
+    /// An explicit step is longer than the method's stability limit.
+    #[error(
+        "`time.step` is {step:e} s, over the stability limit of {method}: at most {largest:.6e} s \
+         (2 / largest frequency, {frequency:.6e} rad/s)"
+    )]
+    StepTooLarge {
+        /// The method's name.
+        method: String,
+        /// Step asked for, s.
+        step: f64,
+        /// Largest stable step, s.
+        largest: f64,
+        /// Upper bound of the structure's largest angular frequency, rad/s.
+        frequency: f64,
+    },
+    /// Newton's iteration stopped short of its tolerance.
+    #[error(
+        "Newton's iteration did not converge at t = {time} s: residual {residual:.3e} of the largest \
+         force term after {iterations} iterations (tolerance {tolerance:.1e}); a smaller `time.step` helps"
+    )]
+    NewtonFailed {
+        /// Time at the end of the failed step, s.
+        time: f64,
+        /// Iterations made.
+        iterations: usize,
+        /// Last residual, relative to the largest force term.
+        residual: f64,
+        /// Tolerance it had to reach.
+        tolerance: f64,
+    },
+    /// A matrix that has to be inverted is singular.
+    #[error(
+        "the iteration matrix is singular at t = {time} s (pivot {pivot}): a part of the structure is not held, or a step is far too large"
+    )]
+    Singular {
+        /// Time, s.
+        time: f64,
+        /// Index of the vanishing pivot in the structure's numbering.
+        pivot: usize,
+    },
+    /// A quantity stopped being a finite number.
+    #[error("{quantity} is no longer finite at t = {time} s, step {step}; a smaller `time.step` helps")]
+    NotFinite {
+        /// What it was.
+        quantity: &'static str,
+        /// Time, s.
+        time: f64,
+        /// Number of the step.
+        step: usize,
+    },
+    /// A file could not be read.
+    #[error("cannot read {path}: {source}")]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// A file could not be written.
+    #[error("cannot write {path}: {source}")]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// An embedded fixture is not what the program expects.
+    #[error("the embedded fixture {name} cannot be used: {reason}")]
+    Fixture {
+        /// Its file name.
+        name: &'static str,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A picture could not be drawn.
+    #[error("cannot draw \"{title}\": {reason}")]
+    Picture {
+        /// The picture's title.
+        title: String,
+        /// The drawing library's reason.
+        reason: String,
+    },
+    /// A result is further from its reference than its bound.
+    #[error("{count} comparison(s) with the reference failed; the first: {first}")]
+    Comparison {
+        /// How many failed.
+        count: usize,
+        /// The first, with its numbers.
+        first: String,
+    },
+}
+
+impl Error {
+    /// Exit code of the command line: 1 the run failed, 2 bad input.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Error::Scene { .. } | Error::StepTooLarge { .. } | Error::Read { .. } => 2,
+            _ => 1,
+        }
+    }
+}

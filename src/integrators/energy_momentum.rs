@@ -1,0 +1,61 @@
+//! The energy–momentum rule (Simo and Tarnow 1992): the mid-point rule with stresses averaged over the step.
+//!
+//! M (v₁ − v₀)/Δt + Q̄ = Q_w,  (u₁ − u₀)/Δt = (v₀ + v₁)/2,  Q̄ = ∫ (∂ε/∂e at the middle)ᵀ ½(σ₀ + σ₁) dV.
+//!
+//! Strains are quadratic in u, so Q̄·(u₁ − u₀) is exactly the change of strain energy less the work of heating: energy is
+//! kept at every step size, up to Newton's tolerance. That says nothing about accuracy, which is of second order.
+
+use nalgebra::DVector;
+
+use super::{Integrator, State};
+use crate::error::Result;
+use crate::kernel::Ends;
+use crate::newton::{self, Residual};
+use crate::run::Counts;
+use crate::structure::Structure;
+
+/// The method with its step and Newton's tolerance.
+#[derive(Clone, Copy, Debug)]
+pub struct EnergyMomentum {
+    step: f64,
+    tolerance: f64,
+}
+
+impl EnergyMomentum {
+    /// A method with step `step` (s).
+    pub fn new(step: f64, tolerance: f64) -> EnergyMomentum {
+        EnergyMomentum { step, tolerance }
+    }
+}
+
+impl Integrator for EnergyMomentum {
+    fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
+        let dt = self.step;
+        let (u_0, v_0) = (&state.u, &state.v);
+        let (thermal_0, thermal_1) = (structure.thermal_strain(state.t), structure.thermal_strain(t_1));
+        let mass = structure.mass();
+        let gravity = structure.gravity();
+
+        // The unknown is the increment du: M (v₁ − v₀)/Δt = 2/Δt² M (du − Δt v₀) then keeps its digits at small steps.
+        let residual = |du: &DVector<f64>| {
+            let mut value = DVector::zeros(structure.size());
+            structure.mean_force(&Ends { u_0, u_1: &(u_0 + du), thermal_0, thermal_1 }, &mut value);
+            let inertia = mass.mul(&((du - v_0 * dt) * (2.0 / (dt * dt))));
+            let terms = [&value, &inertia, gravity];
+            let largest_term = terms.map(|term| structure.largest(term)).into_iter().fold(0.0, f64::max);
+            value += inertia - gravity;
+            Residual { value, largest_term }
+        };
+        let tangent = |du: &DVector<f64>| {
+            let mut matrix = structure.mean_tangent(&Ends { u_0, u_1: &(u_0 + du), thermal_0, thermal_1 });
+            matrix.add_scaled(2.0 / (dt * dt), mass);
+            matrix
+        };
+        let mut du = v_0 * dt;
+        newton::solve(structure, self.tolerance, (t_1, state.step + 1), &mut du, counts, residual, tangent)?;
+
+        state.v = &du * (2.0 / dt) - v_0;
+        state.u += du;
+        Ok(())
+    }
+}

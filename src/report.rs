@@ -1,0 +1,162 @@
+//! Output files and texts: all rounding and formatting happens here.
+//!
+//! Data files hold every digit, so that their numbers read back to the same `f64`; texts for people are rounded.
+
+mod files;
+mod summary;
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use crate::error::Result;
+use crate::run::{Run, Trajectory};
+use crate::scene::{ENERGY_COLUMNS, Scene};
+
+pub use files::Files;
+pub use summary::write_summary;
+
+/// Writes `trajectory.csv` and `summary.json` of a run into `folder`, and returns their paths.
+///
+/// # Errors
+/// [`Error::Write`](crate::error::Error::Write); neither file is there then.
+pub fn write_run(folder: &Path, scene: &Scene, run: &Run) -> Result<Vec<PathBuf>> {
+    let mut files = Files::in_folder(folder)?;
+    files.write("trajectory.csv", |out| write_csv(out, &run.trajectory))?;
+    files.write("summary.json", |out| write_summary(out, scene, run))?;
+    files.publish()
+}
+
+/// Writes a trajectory as CSV: its columns' names, then a line for each row, each number with as many digits as it
+/// takes to read back to the same `f64`.
+///
+/// # Errors
+/// What `out` reports.
+pub fn write_csv(out: &mut dyn Write, trajectory: &Trajectory) -> io::Result<()> {
+    writeln!(out, "{}", trajectory.columns.join(","))?;
+    for row in &trajectory.rows {
+        for (column, number) in row.iter().enumerate() {
+            let comma = if column == 0 { "" } else { "," };
+            write!(out, "{comma}{number:?}")?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// A run in a few lines for a person: what it was, what it took, where it ended. Ends with a newline.
+pub fn run_text(scene: &Scene, run: &Run) -> String {
+    let method = scene.time.method;
+    let (steps, iterations) = (run.counts.steps, run.counts.newton_iterations);
+    let mut lines = vec![
+        scene.title.clone(),
+        format!("{method}: {steps} steps, {iterations} Newton iterations, {:.3} s", run.wall_seconds),
+    ];
+    if let Some(time) = final_time(run) {
+        lines.push(format!("at t = {time} s:"));
+    }
+    let width = run.trajectory.columns.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+    lines.extend(final_values(run).map(|(name, value)| format!("  {name:width$} {value:14.6} {}", unit(name))));
+    if let Some(value) = energy_imbalance(&run.trajectory) {
+        lines.push(format!(
+            "energy balance kept to {value:.1e} J (which says nothing of the accuracy in time and space)"
+        ));
+    }
+    lines.extend(run.warnings.iter().map(|warning| format!("warning: {warning}")));
+    lines.retain(|line| !line.is_empty());
+    lines.join("\n") + "\n"
+}
+
+/// Time of the last row, s.
+fn final_time(run: &Run) -> Option<f64> {
+    run.trajectory.rows.last().and_then(|row| row.first()).copied()
+}
+
+/// Names and values of the probes' columns in the last row.
+fn final_values(run: &Run) -> impl Iterator<Item = (&str, f64)> {
+    let last = run.trajectory.rows.last().into_iter().flatten().copied();
+    let columns = run.trajectory.columns.iter().map(String::as_str).zip(last);
+    columns.skip(1).filter(|(name, _)| !ENERGY_COLUMNS.contains(name))
+}
+
+/// Largest |`energy.balance`| over the rows, J; `None` if there is no such column.
+fn energy_imbalance(trajectory: &Trajectory) -> Option<f64> {
+    let column = trajectory.columns.iter().position(|name| name == "energy.balance")?;
+    // In the total order NaN is the largest, and is not lost.
+    trajectory.rows.iter().filter_map(|row| row.get(column)).map(|balance| balance.abs()).max_by(f64::total_cmp)
+}
+
+/// Unit of a probe's column.
+fn unit(column: &str) -> &'static str {
+    match column.rsplit('.').next() {
+        Some("vx" | "vy") => "m/s",
+        Some("ax" | "ay") => "m/s²",
+        _ => "m",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::run::Counts;
+
+    /// Numbers whose shortest decimal form is easy to get wrong.
+    pub(super) const AWKWARD: [f64; 6] = [0.1, -1.0 / 3.0, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0];
+
+    pub(super) fn run() -> (Scene, Run) {
+        let scene = Scene::builtin("pendulum-flexible").unwrap();
+        let mut rows = vec![vec![0.0; 10], AWKWARD.iter().chain(&[0.0; 4]).copied().collect()];
+        rows[0][9] = -3e-7;
+        rows[1][9] = 2e-7;
+        let trajectory = Trajectory { columns: scene.columns(), rows };
+        let counts =
+            Counts { steps: 1, newton_iterations: 2, force_calls: 3, tangent_calls: 4, factorizations: 5, solves: 6 };
+        (scene, Run { trajectory, counts, wall_seconds: 0.25, warnings: vec!["mind the gap".into()] })
+    }
+
+    #[test]
+    fn csv_reads_back_to_the_same_numbers() {
+        let (scene, run) = run();
+        let mut csv = Vec::new();
+        write_csv(&mut csv, &run.trajectory).unwrap();
+        let csv = String::from_utf8(csv).unwrap();
+        let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+        assert_eq!(lines[0], scene.columns());
+        assert_eq!(lines.len(), 3);
+        let bits = |row: &[f64]| row.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        for (line, row) in lines[1..].iter().zip(&run.trajectory.rows) {
+            let read: Vec<f64> = line.iter().map(|number| number.parse().unwrap()).collect();
+            assert_eq!(bits(&read), bits(row));
+        }
+    }
+
+    #[test]
+    fn a_balance_that_is_not_a_number_is_not_lost() {
+        let (_, mut run) = run();
+        run.trajectory.rows[0][9] = -f64::NAN;
+        assert!(energy_imbalance(&run.trajectory).unwrap().is_nan());
+    }
+
+    #[test]
+    fn units_of_the_columns() {
+        let columns = ["tip.x", "tip.y", "tip.vx", "tip.vy", "tip.ax", "tip.ay"];
+        assert_eq!(columns.map(unit), ["m", "m", "m/s", "m/s", "m/s²", "m/s²"]);
+    }
+
+    #[test]
+    fn text_for_a_person() {
+        let (mut scene, run) = run();
+        scene.title = "a pendulum".into();
+        let text = "a pendulum\n\
+            energy-momentum: 1 steps, 2 Newton iterations, 0.250 s\n\
+            at t = 0.1 s:\n";
+        let all = run_text(&scene, &run);
+        assert!(all.starts_with(text), "{all}");
+        assert!(all.contains("tip.x") && all.contains(" -0.333333 m\n"), "{all}");
+        assert!(
+            all.ends_with(
+                "kept to 3.0e-7 J (which says nothing of the accuracy in time and space)\nwarning: mind the gap\n"
+            ),
+            "{all}"
+        );
+    }
+}

@@ -1,0 +1,186 @@
+//! One scene from start to end.
+
+use std::time::Instant;
+
+use serde::Serialize;
+
+use crate::error::Result;
+use crate::integrators::{self, State};
+use crate::kernel::Ends;
+use crate::linear::BandLu;
+use crate::scene::{Method, Quantity, Scene, Start};
+use crate::structure::Structure;
+
+/// How often each kind of work was done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Counts {
+    /// Time steps.
+    pub steps: usize,
+    /// Newton iterations over all steps.
+    pub newton_iterations: usize,
+    /// Evaluations of the elastic forces of the whole structure.
+    pub force_calls: usize,
+    /// Evaluations of the tangent of the whole structure.
+    pub tangent_calls: usize,
+    /// LU factorisations.
+    pub factorizations: usize,
+    /// Solutions with given factors.
+    pub solves: usize,
+}
+
+/// A table over time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Trajectory {
+    /// Names of the columns, the first of them `t`.
+    pub columns: Vec<String>,
+    /// The rows, each as long as `columns`.
+    pub rows: Vec<Vec<f64>>,
+}
+
+impl Trajectory {
+    /// A column by its name.
+    pub fn column(&self, name: &str) -> Option<Vec<f64>> {
+        let place = self.columns.iter().position(|column| column == name)?;
+        Some(self.rows.iter().map(|row| row[place]).collect())
+    }
+}
+
+/// What a run gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The rows that the scene asks for.
+    pub trajectory: Trajectory,
+    /// The work that was done.
+    pub counts: Counts,
+    /// Time that it took, s.
+    pub wall_seconds: f64,
+    /// What a person should know before trusting the result.
+    pub warnings: Vec<String>,
+}
+
+/// Runs a scene.
+///
+/// # Errors
+/// Those of its method: see [`integrators`].
+pub fn run(scene: &Scene) -> Result<Run> {
+    let clock = Instant::now();
+    let structure = Structure::new(scene);
+    let mut counts = Counts::default();
+    let u = structure.start().clone();
+    let mut state = State { step: 0, t: 0.0, v: u.clone() * 0.0, u };
+    let mut method = integrators::integrator(scene, &structure, &state, &mut counts)?;
+    let mut recorder = Recorder::new(scene, &structure, &state, &mut counts)?;
+
+    recorder.record(&state, &mut counts);
+    for step in 1..=scene.steps() {
+        // Not a sum of steps: its rounding would grow.
+        let t = step as f64 * scene.time.step;
+        let before = recorder.energy.as_ref().filter(|energy| energy.heated).map(|_| state.clone());
+        method.step(&structure, &mut state, t, &mut counts)?;
+        (state.step, state.t) = (step, t);
+        counts.steps += 1;
+        if let (Some(energy), Some(before)) = (&mut recorder.energy, before) {
+            energy.heat(&structure, &before, &state);
+        }
+        if scene.is_row(step) {
+            recorder.record(&state, &mut counts);
+        }
+    }
+    Ok(Run {
+        trajectory: recorder.trajectory,
+        counts,
+        wall_seconds: clock.elapsed().as_secs_f64(),
+        warnings: warnings(scene),
+    })
+}
+
+/// Doubts that the scene itself raises.
+fn warnings(scene: &Scene) -> Vec<String> {
+    let shock = scene.heat().is_some_and(|heat| heat.start == Start::Sudden && heat.at(0.0) != 0.0);
+    let crossing = Structure::wave_crossing_time(scene);
+    // The explicit method's own stability limit is shorter.
+    let coarse = scene.time.method != Method::Explicit && scene.time.step > 0.5 * crossing;
+    if shock && coarse {
+        let step = scene.time.step;
+        return vec![format!(
+            "the sudden heat starts an axial wave that crosses an element in {crossing:.1e} s, which the step of {step:e} s \
+             does not resolve: positions may be off by millimetres and more although the energy balance is kept; \
+             compare with a smaller step, or use \"explicit\""
+        )];
+    }
+    Vec::new()
+}
+
+/// Writes rows.
+struct Recorder<'a> {
+    scene: &'a Scene,
+    structure: &'a Structure,
+    trajectory: Trajectory,
+    /// There if a probe asks for an acceleration.
+    mass: Option<BandLu>,
+    /// There if the scene asks for energies.
+    energy: Option<Energy>,
+}
+
+/// The energy that was there at the start and what has been put in since, J.
+struct Energy {
+    heated: bool,
+    start: f64,
+    input: f64,
+}
+
+impl Energy {
+    fn new(structure: &Structure, state: &State, scene: &Scene) -> Energy {
+        let thermal = structure.thermal_strain(0.0);
+        // Before a sudden start there is no strain energy; the heat that then appears puts in what is there at t = 0.
+        let input = structure.strain_energy(&state.u, thermal);
+        Energy { heated: scene.heat().is_some(), start: 0.0 - structure.gravity().dot(&state.u), input }
+    }
+
+    fn heat(&mut self, structure: &Structure, before: &State, after: &State) {
+        let (thermal_0, thermal_1) = (structure.thermal_strain(before.t), structure.thermal_strain(after.t));
+        if thermal_0 != thermal_1 {
+            self.input += structure.heating_work(&Ends { u_0: &before.u, u_1: &after.u, thermal_0, thermal_1 });
+        }
+    }
+
+    /// Kinetic, strain and potential energy, input and balance.
+    fn row(&self, structure: &Structure, state: &State) -> [f64; 5] {
+        let kinetic = structure.kinetic_energy(&state.v);
+        let strain = structure.strain_energy(&state.u, structure.thermal_strain(state.t));
+        let potential = 0.0 - structure.gravity().dot(&state.u);
+        [kinetic, strain, potential, self.input, kinetic + strain + potential - self.start - self.input]
+    }
+}
+
+impl<'a> Recorder<'a> {
+    fn new(scene: &'a Scene, structure: &'a Structure, state: &State, counts: &mut Counts) -> Result<Recorder<'a>> {
+        let accelerations = scene.probes.iter().any(|probe| probe.of.contains(&Quantity::Acceleration));
+        Ok(Recorder {
+            scene,
+            structure,
+            trajectory: Trajectory { columns: scene.columns(), rows: Vec::new() },
+            mass: accelerations.then(|| integrators::mass_factors(structure, counts)).transpose()?,
+            energy: scene.output.energy.then(|| Energy::new(structure, state, scene)),
+        })
+    }
+
+    fn record(&mut self, state: &State, counts: &mut Counts) {
+        let a = self.mass.as_ref().map(|m| integrators::acceleration(self.structure, m, &state.u, state.t, counts));
+        let mut row = vec![state.t];
+        for probe in &self.scene.probes {
+            for quantity in &probe.of {
+                row.extend(match (quantity, &a) {
+                    (Quantity::Position, _) => self.structure.position(&probe.point, &state.u),
+                    (Quantity::Velocity, _) => self.structure.at_point(&probe.point, &state.v),
+                    (Quantity::Acceleration, Some(a)) => self.structure.at_point(&probe.point, a),
+                    (Quantity::Acceleration, None) => continue,
+                });
+            }
+        }
+        if let Some(energy) = &self.energy {
+            row.extend(energy.row(self.structure, state));
+        }
+        self.trajectory.rows.push(row);
+    }
+}

@@ -1,0 +1,79 @@
+//! The built-in scenes, embedded in the program.
+
+use std::fs::File;
+use std::io::{self, Read};
+
+use super::Scene;
+use super::parse::nearest;
+use crate::error::{Error, Result};
+
+/// Largest scene file that is read, bytes. A scene of 100 000 rods stays below it; a device or a data file that was
+/// named by mistake does not fill the memory.
+const LARGEST_FILE: u64 = 16 << 20;
+
+/// Name and JSON text of each built-in scene.
+const BUILTIN: [(&str, &str); 6] = [
+    ("pendulum-flexible", include_str!("../scenes/pendulum-flexible.json")),
+    ("pendulum-1d", include_str!("../scenes/pendulum-1d.json")),
+    ("pendulum-2d", include_str!("../scenes/pendulum-2d.json")),
+    ("pendulum-1d-relaxed", include_str!("../scenes/pendulum-1d-relaxed.json")),
+    ("pendulum-2d-relaxed", include_str!("../scenes/pendulum-2d-relaxed.json")),
+    ("free-rod-heated", include_str!("../scenes/free-rod-heated.json")),
+];
+
+/// Names of the built-in scenes.
+pub fn builtin_names() -> impl Iterator<Item = &'static str> {
+    BUILTIN.iter().map(|(name, _)| *name)
+}
+
+/// The JSON text of a built-in scene, a file to start from.
+///
+/// # Errors
+/// [`Error::Read`] with the nearest name if no built-in scene has this one.
+pub fn builtin_text(name: &str) -> Result<&'static str> {
+    let found = BUILTIN.iter().find(|(known, _)| *known == name).map(|(_, text)| *text);
+    found.ok_or_else(|| {
+        let source = io::Error::new(io::ErrorKind::NotFound, unknown(name));
+        Error::Read { path: name.into(), source }
+    })
+}
+
+impl Scene {
+    /// A built-in scene; `None` if none has that name.
+    pub fn builtin(name: &str) -> Option<Scene> {
+        Scene::parse(builtin_text(name).ok()?, name).ok()
+    }
+
+    /// Reads a scene: a built-in one if `name_or_path` is its name, else the file.
+    ///
+    /// # Errors
+    /// [`Error::Read`] if the file cannot be read, with the nearest built-in name if there is no such file, and
+    /// [`Error::Scene`] if it holds something that is not allowed.
+    pub fn load(name_or_path: &str) -> Result<Scene> {
+        let text = match builtin_text(name_or_path) {
+            Ok(text) => text.to_string(),
+            Err(_) => read(name_or_path).map_err(|source| Error::Read { path: name_or_path.into(), source })?,
+        };
+        Scene::parse(&text, name_or_path)
+    }
+}
+
+fn unknown(name: &str) -> String {
+    let nearest = nearest(name, builtin_names()).unwrap_or_default();
+    format!("no built-in scene has this name; the nearest is `{nearest}`, `ancf scenes` lists all")
+}
+
+/// The text of the file at `path`.
+fn read(path: &str) -> io::Result<String> {
+    let explain = |source: io::Error| match source.kind() {
+        io::ErrorKind::NotFound => io::Error::new(source.kind(), format!("no such file, and {}", unknown(path))),
+        _ => source,
+    };
+    let mut text = String::new();
+    File::open(path).map_err(explain)?.take(LARGEST_FILE + 1).read_to_string(&mut text)?;
+    if text.len() as u64 > LARGEST_FILE {
+        let reason = format!("larger than {LARGEST_FILE} bytes; allowed: a scene file up to that size");
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, reason));
+    }
+    Ok(text)
+}

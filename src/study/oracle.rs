@@ -1,0 +1,111 @@
+//! `fixtures/pendulum.json`, and the same runs by this program beside it.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use super::in_parallel;
+use super::pendulum::{Variant, tip};
+use crate::error::{Error, Result};
+
+/// What `python -m oracle` writes: the pendulum from its strain energy alone, and the rigid pendulum.
+const TEXT: &str = include_str!("../../fixtures/pendulum.json");
+
+/// The bar for the distance from the oracle, m.
+const BOUND: f64 = 1e-6;
+
+#[derive(Deserialize)]
+pub struct Oracle {
+    pub runs: Vec<Run>,
+    pub rigid: Rigid,
+}
+
+/// One run by the oracle's integrator.
+#[derive(Deserialize)]
+pub struct Run {
+    pub id: String,
+    pub model: String,
+    pub start: Option<String>,
+    pub elements: usize,
+    pub t: Vec<f64>,
+    pub tip: Vec<[f64; 2]>,
+    pub error_estimate: ErrorEstimate,
+}
+
+#[derive(Deserialize)]
+pub struct ErrorEstimate {
+    pub position: f64,
+}
+
+/// The rigid pendulum by elliptic functions.
+#[derive(Deserialize)]
+pub struct Rigid {
+    pub t: Vec<f64>,
+    pub tip: Vec<[f64; 2]>,
+}
+
+/// A run of ours beside the oracle's.
+#[derive(Serialize)]
+pub struct Row {
+    pub run: String,
+    pub elements: usize,
+    pub step: f64,
+    /// Over all of the oracle's times, m.
+    pub largest_distance: f64,
+    pub oracle_error: f64,
+    pub bound: f64,
+}
+
+impl Row {
+    /// A distance that is not a number does not hold.
+    pub fn holds(&self) -> bool {
+        self.largest_distance <= self.bound
+    }
+}
+
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{}: {:.1e} m from the oracle, bound {:.0e} m", self.run, self.largest_distance, self.bound)
+    }
+}
+
+impl Run {
+    /// The built-in scene of the same model and start.
+    pub fn scene(&self) -> &'static str {
+        match (self.model.as_str(), self.start.as_deref()) {
+            ("1d", Some("relaxed")) => "pendulum-1d-relaxed",
+            ("2d", Some("relaxed")) => "pendulum-2d-relaxed",
+            ("1d", _) => "pendulum-1d",
+            ("2d", _) => "pendulum-2d",
+            _ => "pendulum-flexible",
+        }
+    }
+
+    /// A step at which the explicit method's error is well below the bound: the waves of a heat shock need a shorter one.
+    fn step(&self) -> f64 {
+        if self.start.as_deref() == Some("sudden") { 1e-6 } else { 1e-5 }
+    }
+}
+
+/// Reads the embedded fixture.
+pub fn load() -> Result<Oracle> {
+    serde_json::from_str(TEXT).map_err(|reason| Error::Fixture { name: "pendulum.json", reason: reason.to_string() })
+}
+
+/// Runs every case of the oracle and measures the distance.
+pub fn compare(oracle: &Oracle) -> Result<Vec<Row>> {
+    in_parallel("oracle", &oracle.runs, |run| {
+        let step = run.step();
+        let end = run.t.last().copied().unwrap_or_default();
+        let ours = tip(&Variant { scene: run.scene(), elements: run.elements, step, end, interval: 0.05 })?;
+        let distances = run.t.iter().zip(&run.tip).map(|(&t, tip)| ours.distance(t, *tip));
+        Ok(Row {
+            run: run.id.clone(),
+            elements: run.elements,
+            step,
+            largest_distance: distances.max_by(f64::total_cmp).unwrap_or(f64::NAN),
+            oracle_error: run.error_estimate.position,
+            bound: BOUND,
+        })
+    })
+}

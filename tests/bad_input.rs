@@ -1,0 +1,248 @@
+//! Bad input: exit code 2, a message with file, key, value and what is allowed, and no output.
+//!
+//! Each case changes one place of a scene that runs, and goes through the binary.
+
+#![cfg(feature = "cli")]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// A scene that runs; every case makes one change to it.
+const GOOD: &str = r#"{
+  "schema": "ancf-scene/1",
+  "title": "one heated rod",
+  "material": {"E": 2e8, "nu": 0.3, "rho": 7750.0, "alpha": 2.5e-5},
+  "section": {"height": 0.02, "width": 0.03},
+  "points": {"o": [0.0, 0.0], "apex": [0.5, 0.0]},
+  "rods": [{"name": "rod", "from": "o", "to": "apex", "elements": 2}],
+  "supports": [{"point": "o", "fix": ["x"]}],
+  "gravity": [0.0, -9.8],
+  "temperature": {"model": "2d", "start": "relaxed", "history": [[0.0, 20.0], [1.0, 25.0]]},
+  "time": {"end": 0.002, "step": 1e-3, "method": "energy-momentum", "rho_inf": 0.8, "newton_tolerance": 1e-9},
+  "output": {"interval": 0.002, "energy": true},
+  "probes": [{"name": "tip", "point": "apex", "of": ["position"]}]
+}
+"#;
+
+/// Runs `text` as the file `case.json` and returns what the binary said; the output folder is `out` in `folder`.
+fn run(folder: &Path, text: &[u8]) -> Output {
+    let file = folder.join("case.json");
+    fs::write(&file, text).unwrap();
+    let binary = env!("CARGO_BIN_EXE_ancf");
+    Command::new(binary).arg("run").arg(&file).arg("--out").arg(folder.join("out")).output().unwrap()
+}
+
+/// `text` is refused with a message that holds every one of `parts`, and leaves no output.
+fn refused_text(text: &[u8], parts: &[&str]) {
+    let folder = tempfile::tempdir().unwrap();
+    let output = run(folder.path(), text);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.starts_with("error: ") && message.lines().count() == 1, "{message}");
+    for part in parts.iter().chain(&["case.json"]) {
+        assert!(message.contains(part), "no {part:?} in: {message}");
+    }
+    assert!(!folder.path().join("out").exists(), "there is output beside: {message}");
+    assert!(output.stdout.is_empty());
+}
+
+/// [`GOOD`] with `from`, which it holds once, replaced by `to`.
+fn changed(from: &str, to: &str) -> String {
+    assert_eq!(GOOD.matches(from).count(), 1, "{from:?}");
+    GOOD.replace(from, to)
+}
+
+/// Tests of one changed place each: what it was => what it is; line, key and value as they are quoted; what is allowed.
+macro_rules! refused {
+    ($($name:ident: $from:literal => $to:literal; $line:literal, $key_and_value:literal; $allowed:literal)+) => {
+        $(
+            #[test]
+            fn $name() {
+                let line = concat!("case.json:", $line, ":");
+                let key_and_value = concat!(": ", $key_and_value, "; allowed: ");
+                refused_text(changed($from, $to).as_bytes(), &[line, key_and_value, $allowed]);
+            }
+        )+
+    };
+}
+
+#[test]
+fn the_unchanged_scene_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = run(folder.path(), GOOD.as_bytes());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(folder.path().join("out/summary.json").exists());
+}
+
+// Keys.
+refused! {
+    unknown_key: r#""nu": 0.3"# => r#""nue": 0.3"#; 4, "`material.nue` is an unknown key (value 0.3)"; "`E`, `nu`, `rho`, `alpha`; nearest: `nu`"
+    unknown_key_in_other_case: r#""E": 2e8"# => r#""e": 2e8"#; 4, "`material.e` is an unknown key (value 2e8)"; "nearest: `E`"
+    unknown_key_at_the_top: r#""gravity""# => r#""gravitation""#; 9, "`gravitation` is an unknown key (value [0.0, -9.8])"; "nearest: `gravity`"
+    unknown_key_in_a_list: r#""elements": 2"# => r#""element": 2"#; 7, "`rods[0].element` is an unknown key (value 2)"; "nearest: `elements`"
+    missing_key: r#""nu": 0.3, "# => ""; 4, "`material.nu` is missing"; "required"
+    key_given_twice_at_the_top: r#""time": {"# => r#""temperature": {"#; 10, "`temperature` is given twice"; "each key once"
+    missing_section: "  \"section\": {\"height\": 0.02, \"width\": 0.03},\n" => ""; 1, "`section` is missing"; "required"
+    missing_alpha_of_a_heated_scene: r#", "alpha": 2.5e-5"# => ""; 4, "`material.alpha` is missing"; "a number; `temperature` needs it"
+    duplicate_key: r#""nu": 0.3"# => r#""E": 0.3"#; 4, "`material.E` is given twice"; "each key once"
+    duplicate_point: r#""apex": [0.5, 0.0]"# => r#""o": [0.5, 0.0]"#; 6, "`points.o` is given twice"; "each key once"
+    another_version: "ancf-scene/1" => "ancf-scene/2"; 2, "`schema` is \"ancf-scene/2\""; "`ancf-scene/1`"
+}
+
+// Types, and what JSON is not.
+refused! {
+    text_for_a_number: r#""E": 2e8"# => r#""E": "soft""#; 4, "`material.E` is \"soft\""; "a number"
+    number_for_a_text: r#""name": "rod""# => r#""name": 7"#; 7, "`rods[0].name` is 7"; "a string"
+    list_for_an_object: r#"{"height": 0.02, "width": 0.03}"# => "[0.02, 0.03]"; 5, "`section` is [0.02, 0.03]"; "an object"
+    list_for_an_object_in_a_list: r#"[{"point": "o", "fix": ["x"]}]"# => r#"[["o", ["x"]]]"#; 8, "`supports[0]` is [\"o\", [\"x\"]]"; "an object"
+    object_for_a_list: r#"["x"]"# => r#"{"x": true}"#; 8, "`supports[0].fix` is {\"x\": true}"; "a list"
+    null_for_an_object: r#"{"interval": 0.002, "energy": true}"# => "null"; 12, "`output` is null"; "an object"
+    null_for_a_number: r#""interval": 0.002"# => r#""interval": null"#; 12, "`output.interval` is null"; "a number"
+    number_for_a_switch: r#""energy": true"# => r#""energy": 1"#; 12, "`output.energy` is 1"; "a boolean"
+    fraction_for_a_count: r#""elements": 2"# => r#""elements": 2.5"#; 7, "`rods[0].elements` is 2.5"; "a whole number"
+    negative_count: r#""elements": 2"# => r#""elements": -2"#; 7, "`rods[0].elements` is -2"; "a whole number, not negative"
+    point_with_one_coordinate: "[0.5, 0.0]" => "[0.5]"; 6, "`points.apex` is [0.5]"; "two numbers"
+    point_with_three_coordinates: "[0.5, 0.0]" => "[0.5, 0.0, 0.0]"; 6, "`points.apex` is [0.5, 0.0, 0.0]"; "two numbers"
+    unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`; nearest: `"
+    number_for_a_word: r#""energy-momentum""# => "4"; 11, "`time.method` is 4"; "`generalized-alpha`, `energy-momentum`, `explicit`"
+    object_for_a_word: r#""2d""# => r#"{"2d": null}"#; 10, "`temperature.model` is {\"2d\": null}"; "`2d`, `1d`, `none`"
+    nan: r#""nu": 0.3"# => r#""nu": NaN"#; 4, "`material.nu` is NaN"; "numbers are finite"
+    nan_in_a_list: "[0.5, 0.0]" => "[0.5, NaN]"; 6, "`points.apex[1]` is NaN"; "numbers are finite"
+    infinity: r#""end": 0.002"# => r#""end": Infinity"#; 11, "`time.end` is Infinity"; "numbers are finite"
+    negative_infinity: "-9.8" => "-Infinity"; 9, "`gravity[1]` is -Infinity"; "numbers are finite"
+    number_out_of_range: r#""rho": 7750.0"# => r#""rho": 1e999"#; 4, "`material.rho` is 1e999"; "numbers are finite"
+    missing_comma: r#"0.3, "rho""# => r#"0.3 "rho""#; 4, "`material` is not JSON here"; "JSON (expected `,` or `}`)"
+    more_behind_the_end: "[\"position\"]}]\n}" => "[\"position\"]}]\n} x"; 14, "`scene` is not JSON here"; "JSON (trailing characters)"
+}
+
+// Values.
+refused! {
+    zero_modulus: r#""E": 2e8"# => r#""E": 0"#; 4, "`material.E` is 0"; "over 0"
+    negative_modulus: r#""E": 2e8"# => r#""E": -2.0e8"#; 4, "`material.E` is -2.0e8"; "over 0"
+    zero_density: r#""rho": 7750.0"# => r#""rho": 0.0"#; 4, "`material.rho` is 0.0"; "over 0"
+    nu_of_one_half: r#""nu": 0.3"# => r#""nu": 0.5"#; 4, "`material.nu` is 0.5"; "between -1 and 0.5"
+    nu_of_minus_one: r#""nu": 0.3"# => r#""nu": -1"#; 4, "`material.nu` is -1"; "between -1 and 0.5"
+    zero_height: r#""height": 0.02"# => r#""height": 0"#; 5, "`section.height` is 0"; "over 0"
+    negative_width: r#""width": 0.03"# => r#""width": -0.03"#; 5, "`section.width` is -0.03"; "over 0"
+    cold_beyond_the_strain_measure: "[1.0, 25.0]" => "[1.0, -20000.0]"; 10, "`temperature.history[1][1]` is -20000.0"; "dT over -2.000000e4 K, where 1 + 2 alpha dT stays positive"
+    history_backwards: "[1.0, 25.0]" => "[0.0, 25.0]"; 10, "`temperature.history[1][0]` is 0.0"; "a time after the 0.0 s before it"
+    empty_history: "[[0.0, 20.0], [1.0, 25.0]]" => "[]"; 10, "`temperature.history` is []"; "at least one pair [t, dT]"
+    relaxed_start_of_a_rod_held_twice: r#"[{"point": "o", "fix": ["x"]}]"# => r#"[{"point": "o", "fix": ["x"]}, {"point": "apex", "fix": ["x"]}]"#; 10, "`temperature.start` is \"relaxed\""; "points held 2"
+    relaxed_start_of_pinned_rods: r#""elements": 2}"# => r#""elements": 2}, {"name": "two", "from": "o", "to": "apex"}"#; 10, "`temperature.start` is \"relaxed\""; "rods 2"
+    zero_step: r#""step": 1e-3"# => r#""step": 0.0"#; 11, "`time.step` is 0.0"; "over 0"
+    negative_step: r#""step": 1e-3"# => r#""step": -1e-3"#; 11, "`time.step` is -1e-3"; "over 0"
+    too_many_steps: r#""step": 1e-3"# => r#""step": 1e-12"#; 11, "`time.step` is 1e-12"; "at least 2.000000000e-12 s"
+    zero_end: r#""end": 0.002"# => r#""end": 0"#; 11, "`time.end` is 0"; "over 0"
+    end_not_a_whole_number_of_steps: r#""end": 0.002"# => r#""end": 0.0025"#; 11, "`time.end` is 0.0025"; "a whole number of steps of `time.step` = 0.001 s, not 2.500000"
+    end_before_the_first_step: r#""end": 0.002"# => r#""end": 0.0004"#; 11, "`time.end` is 0.0004"; "a step of 4.000000000e-4 s would fit"
+    interval_not_a_whole_number_of_steps: r#""interval": 0.002"# => r#""interval": 0.0015"#; 12, "`output.interval` is 0.0015"; "a whole number of steps"
+    negative_interval: r#""interval": 0.002"# => r#""interval": -0.002"#; 12, "`output.interval` is -0.002"; "over 0"
+    rho_inf_over_one: "0.8" => "1.1"; 11, "`time.rho_inf` is 1.1"; "from 0 to 1"
+    negative_rho_inf: "0.8" => "-0.1"; 11, "`time.rho_inf` is -0.1"; "from 0 to 1"
+    zero_tolerance: "1e-9" => "0.0"; 11, "`time.newton_tolerance` is 0.0"; "over 0"
+    coarse_tolerance: "1e-9" => "0.1"; 11, "`time.newton_tolerance` is 0.1"; "not over 1e-2"
+}
+
+// Names, points, rods, supports and probes.
+refused! {
+    unknown_point_of_a_rod: r#""to": "apex""# => r#""to": "apx""#; 7, "`rods[0].to` is \"apx\""; "nearest: `apex`"
+    unknown_point_of_a_support: r#""point": "o""# => r#""point": "0""#; 8, "`supports[0].point` is \"0\""; "the name of a point in `points`"
+    unknown_point_of_a_probe: r#""point": "apex""# => r#""point": "tip""#; 13, "`probes[0].point` is \"tip\""; "the name of a point in `points`"
+    zero_length_rod: "[0.5, 0.0]" => "[0.0, 0.0]"; 7, "`rods[0].to` is \"apex\""; "a point further from `o` than 1e-9 of their coordinates; the rod's length is 0.0 m"
+    rod_to_its_own_start: r#""to": "apex""# => r#""to": "o""#; 7, "`rods[0].to` is \"o\""; "another point than `from`"
+    no_elements: r#""elements": 2"# => r#""elements": 0"#; 7, "`rods[0].elements` is 0"; "a whole number from 1 to 100000"
+    too_many_elements: r#""elements": 2"# => r#""elements": 100001"#; 7, "`rods[0].elements` is 100001"; "a whole number from 1 to 100000"
+    no_rods: r#"[{"name": "rod", "from": "o", "to": "apex", "elements": 2}]"# => "[]"; 7, "`rods` is []"; "at least one rod"
+    two_rods_of_one_name: r#""elements": 2}"# => r#""elements": 2}, {"name": "rod", "from": "o", "to": "apex"}"#; 7, "`rods[1].name` is \"rod\""; "each name once; rods[0] has this one"
+    unused_point: r#""o": [0.0, 0.0]"# => r#""o": [0.0, 0.0], "far": [9, 9]"#; 6, "`points.far` is [9, 9]"; "only points that a rod has as its `from` or `to`"
+    name_with_a_comma: r#""name": "tip""# => r#""name": "tip,x""#; 13, "`probes[0].name` is \"tip,x\""; "a name without"
+    empty_name: r#""name": "rod""# => r#""name": """#; 7, "`rods[0].name` is \"\""; "a name without"
+    probe_in_the_place_of_the_energies: r#""name": "tip""# => r#""name": "energy""#; 13, "`probes[0].name` is \"energy\""; "another name"
+    support_without_directions: r#"["x"]"# => "[]"; 8, "`supports[0].fix` is []"; "at least one entry"
+    support_with_a_direction_twice: r#"["x"]"# => r#"["x", "x"]"#; 8, "`supports[0].fix[1]` is \"x\""; "each word once"
+    support_with_an_unknown_direction: r#"["x"]"# => r#"["z"]"#; 8, "`supports[0].fix[0]` is \"z\""; "`x`, `y`"
+    point_supported_twice: r#""fix": ["x"]}"# => r#""fix": ["x"]}, {"point": "o", "fix": ["y"]}"#; 8, "`supports[1].point` is \"o\""; "each name once; supports[0] has this one"
+    probe_of_nothing: r#"["position"]"# => "[]"; 13, "`probes[0].of` is []"; "at least one entry"
+    probe_of_one_quantity_twice: r#"["position"]"# => r#"["position", "position"]"#; 13, "`probes[0].of[1]` is \"position\""; "each word once"
+    probes_of_one_name: r#"["position"]}"# => r#"["position"]}, {"name": "tip", "point": "o", "of": ["velocity"]}"#; 13, "`probes[1].name` is \"tip\""; "each name once; probes[0] has this one"
+    title_in_two_lines: "one heated rod" => "one\\nrod"; 3, "`title` is \"one\\nrod\""; "a text in one line"
+}
+
+#[test]
+fn places_are_lines_and_characters() {
+    let place = |text: &str, place: &str| refused_text(text.as_bytes(), &[place]);
+    place(&changed("2e8", "0.0"), "case.json:4:21: `material.E`");
+    place("{\"title\": \"ε̇ Ä\", \"schema\": 1}", "case.json:1:29: `schema`");
+    place("{\n\t\"schema\":\n  1}", "case.json:3:3: `schema`");
+    place("[]", "case.json:1:1: `scene`");
+}
+
+#[test]
+fn rod_that_is_short_beside_its_coordinates() {
+    let text = GOOD.replace("[0.0, 0.0]", "[1e6, 0.0]").replace("[0.5, 0.0]", "[1.0000000001e6, 0.0]");
+    refused_text(text.as_bytes(), &["`rods[0].to` is \"apex\"; allowed: a point further from `o`"]);
+}
+
+#[test]
+fn elements_of_all_rods_count_together() {
+    let second = r#""elements": 99999}, {"name": "two", "from": "o", "to": "apex", "elements": 2}"#;
+    let text = changed(r#""elements": 2}"#, second);
+    refused_text(
+        text.as_bytes(),
+        &["`rods[1].elements` is 2; allowed: a whole number from 1 to 1 (100000 in all rods)"],
+    );
+}
+
+#[test]
+fn more_numbers_than_the_memory_holds() {
+    let text = changed("1e-3", "1e-11").replace("\"interval\": 0.002, ", "");
+    refused_text(text.as_bytes(), &["`output.interval` is 1e-11; allowed: at least 1.600e-10 s"]);
+}
+
+#[test]
+fn file_that_is_cut_off() {
+    refused_text(&GOOD.as_bytes()[..100], &["case.json:4:", "`material", "cut off", "JSON (EOF"]);
+}
+
+#[test]
+fn empty_file() {
+    refused_text(b"", &["`scene` is cut off at the end of the file; allowed: JSON (EOF"]);
+}
+
+#[test]
+fn file_that_is_not_text() {
+    refused_text(b"\xff\xfe{}", &["cannot read", "UTF-8"]);
+}
+
+#[test]
+fn file_that_is_too_large() {
+    refused_text(&vec![b' '; (16 << 20) + 1], &["cannot read", "larger than 16777216 bytes"]);
+}
+
+#[test]
+fn long_values_and_keys_are_shortened() {
+    let text = changed("\"title\"", &format!("\"{}\"", "k".repeat(1 << 20)));
+    refused_text(text.as_bytes(), &["kkk…` is an unknown key (value \"one heated rod\")", "`schema`, `title`"]);
+}
+
+#[test]
+fn deep_nesting_does_not_overflow_the_stack() {
+    let deep = "[".repeat(1_000_000);
+    refused_text(deep.as_bytes(), &["`scene`"]);
+    for place in ["[0.0, -9.8]", "\"one heated rod\"", "2e8", "\"2d\"", "[\"position\"]", "\"apex\": [0.5, 0.0]"] {
+        refused_text(changed(place, &deep).as_bytes(), &["; allowed: "]);
+        refused_text(changed(place, &"{\"a\":".repeat(1_000_000)).as_bytes(), &["; allowed: "]);
+    }
+}
+
+#[test]
+fn file_that_does_not_exist() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ancf"));
+    let output = command.args(["run", "pendulum2d"]).current_dir(folder.path()).output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("cannot read pendulum2d: no such file") && message.contains("`pendulum-2d`"), "{message}");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}

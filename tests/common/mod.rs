@@ -1,0 +1,95 @@
+//! The fixture loader, the one tolerance and the table of scales it applies to.
+
+#![allow(non_snake_case)] // The paper's symbols are names here.
+#![allow(dead_code)] // Each test binary uses its own part.
+
+use ancf::state::ElementState;
+use serde_json::Value;
+
+pub mod pendulum;
+pub mod scale;
+
+/// Every value of the fixtures is met to this fraction of its scale: 45 roundings of f64.
+pub const TOLERANCE: f64 = 1e-14;
+
+/// `fixtures/equations.json`.
+pub struct Equations {
+    pub json: Value,
+}
+
+/// One state of it.
+pub struct Case<'a> {
+    pub id: &'a str,
+    pub state: ElementState,
+    values: &'a Value,
+}
+
+impl Equations {
+    pub fn load() -> Equations {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/equations.json");
+        let text = std::fs::read_to_string(path).unwrap();
+        Equations { json: serde_json::from_str(&text).unwrap() }
+    }
+
+    pub fn cases(&self) -> Vec<Case<'_>> {
+        let case = |state: &'static str, case: &Value| -> ElementState {
+            serde_json::from_value(case[state].clone()).unwrap()
+        };
+        let states = self.json["states"].as_array().unwrap();
+        assert!(states.len() >= 24, "only {} states", states.len());
+        states
+            .iter()
+            .map(|value| Case {
+                id: value["id"].as_str().unwrap(),
+                state: case("state", value),
+                values: &value["values"],
+            })
+            .collect()
+    }
+
+    pub fn case(&self, id: &str) -> Case<'_> {
+        self.cases().into_iter().find(|case| case.id == id).unwrap_or_else(|| panic!("no state {id}"))
+    }
+}
+
+impl Case<'_> {
+    /// A quantity's numbers (nearest f64), row by row; for a point quantity one point after the other.
+    pub fn value(&self, quantity: &str) -> Vec<f64> {
+        if quantity == "zero" {
+            return vec![0.0; 14];
+        }
+        let value = &self.values[quantity]["f64"];
+        assert!(!value.is_null(), "{}: the fixture has no {quantity}", self.id);
+        let mut numbers = Vec::new();
+        flatten(value, &mut numbers);
+        numbers
+    }
+
+    pub fn scalar(&self, quantity: &str) -> f64 {
+        self.value(quantity)[0]
+    }
+}
+
+fn flatten(value: &Value, numbers: &mut Vec<f64>) {
+    match value {
+        Value::Array(items) => items.iter().for_each(|item| flatten(item, numbers)),
+        number => numbers.push(number.as_f64().unwrap()),
+    }
+}
+
+/// The largest |a − b| / scale over the entries; every scale is positive and finite, and a NaN is infinitely far.
+pub fn worst_ratio(actual: &[f64], expected: &[f64], scale: &[f64]) -> f64 {
+    assert_eq!(actual.len(), expected.len(), "numbers of entries differ");
+    assert_eq!(actual.len(), scale.len(), "one scale for each entry");
+    assert!(scale.iter().all(|s| *s > 0.0 && s.is_finite()), "a scale is not positive: {scale:?}");
+    let ratio = |((a, b), s): ((&f64, &f64), &f64)| if a.is_nan() { f64::INFINITY } else { (a - b).abs() / s };
+    actual.iter().zip(expected).zip(scale).map(ratio).fold(0.0, f64::max)
+}
+
+/// `max|a − b| ≤ tolerance · max|b|`, or `≤ tolerance · absolute` where b is smaller than that.
+#[track_caller]
+pub fn assert_close(what: &str, actual: &[f64], expected: &[f64], tolerance: f64, absolute: f64) {
+    let size = expected.iter().fold(absolute, |size, b| size.max(b.abs()));
+    let ratio = worst_ratio(actual, expected, &vec![size; expected.len()]);
+    assert!(ratio <= tolerance, "{what}: off by {ratio:.3e} of {size:.3e}; allowed {tolerance:.1e}");
+}

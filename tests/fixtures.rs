@@ -1,0 +1,60 @@
+//! Every function of `src/equations/` against the symbolic oracle, in every state, and proof that none is left out.
+
+mod common;
+
+use std::collections::BTreeSet;
+
+use ancf::equations::CONTENTS;
+use ancf::state::evaluate;
+use common::scale::scale;
+use common::{Equations, TOLERANCE, worst_ratio};
+
+#[test]
+fn every_equation_meets_the_oracle_in_every_state() {
+    let equations = Equations::load();
+    let mut failures = Vec::new();
+    for case in equations.cases() {
+        for entry in CONTENTS {
+            let actual =
+                evaluate(entry.quantity, &case.state).unwrap_or_else(|| panic!("{} has no value", entry.quantity));
+            let ratio = worst_ratio(&actual, &case.value(entry.reference), &scale(entry.reference, &case));
+            if ratio > TOLERANCE {
+                failures.push(format!("{} {}: {ratio:.1e}", entry.quantity, case.id));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{} values miss the oracle:\n{}", failures.len(), failures.join("\n"));
+}
+
+#[test]
+fn every_numbered_equation_has_a_function_and_a_fixture() {
+    let equations = Equations::load();
+    let listed: BTreeSet<&str> = CONTENTS.iter().map(|entry| entry.equation).collect();
+    let numbers = (1..=22).map(|n| n.to_string()).chain((1..=5).map(|n| format!("A.{n}")));
+    for number in numbers {
+        assert!(listed.contains(number.as_str()), "equation ({number}) is not in CONTENTS");
+    }
+    let used: BTreeSet<&str> = CONTENTS.iter().map(|entry| entry.reference).collect();
+    for (quantity, _) in equations.json["quantities"].as_object().unwrap() {
+        assert!(used.contains(quantity.as_str()), "the fixture's {quantity} is tested by nothing");
+    }
+}
+
+#[test]
+fn the_contents_and_the_source_name_the_same_functions() {
+    let mut in_source = BTreeSet::new();
+    for module in ["shape", "inertia", "strain", "material", "force", "motion"] {
+        let path = format!("{}/src/equations/{module}.rs", env!("CARGO_MANIFEST_DIR"));
+        for line in std::fs::read_to_string(path).unwrap().lines() {
+            if let Some(rest) = line.strip_prefix("pub fn ") {
+                in_source.insert(format!("{module}::{}", rest.split('(').next().unwrap()));
+            }
+        }
+    }
+    // Steps on the way to the equation beside them; `2.S`, `9.J` and `A.2.e` are computed through them.
+    for helper in ["shape::S_x", "shape::S_y", "shape::r_polynomial_x", "shape::r_polynomial_y"] {
+        assert!(in_source.remove(helper), "{helper} is gone");
+    }
+    let in_contents: BTreeSet<String> = CONTENTS.iter().map(|entry| entry.function.to_string()).collect();
+    assert_eq!(in_source, in_contents);
+}

