@@ -1,15 +1,14 @@
-"""The rigid pendulum of Table 1 in closed form: what the flexible rod tends to as it stiffens.
+"""The rigid pendulum of Table 1 in closed form: what the elastic rod tends to as it stiffens.
 
-A uniform bar of length L and height h hangs on a hinge at the end of its axis. Its centre of mass is at L/2 and its
-moment of inertia about the hinge is m (L²/3 + h²/12), so the angle φ from the downward vertical obeys
+A uniform bar of length L and height h hangs on a hinge at the end of its axis. Its centre of mass is at L/2
+and its moment of inertia about the hinge is m (L^2/3 + h^2/12), so the angle phi from the downward vertical
+obeys, whatever its mass m,
 
-    φ̈ = −ω² sin φ,   ω² = g (L/2) / (L²/3 + h²/12).
+    phi'' = -omega^2 sin phi,   omega^2 = g (L/2) / (L^2/3 + h^2/12).
 
-Released at rest from φ(0) = φ₀, the solution is the Jacobian elliptic function
+Released at rest from phi_0, it moves by a Jacobian elliptic function:
 
-    sin(φ/2) = k cd(ω t | m = k²),   k = sin(φ₀/2),
-
-with φ₀ = π/2 for the horizontal start. The mass cancels.
+    sin(phi/2) = k cd(omega t | k^2),   k = sin(phi_0/2),   phi_0 = pi/2 for the horizontal start.
 """
 
 from mpmath import mp, mpf
@@ -19,13 +18,14 @@ SAMPLES_PER_SECOND = 20
 DURATION = 2
 
 HOW = (
-    f"sin(phi/2) = k cd(omega t | k^2), k = sin(pi/4), phi from the downward vertical; mpmath with {DIGITS} digits, "
-    "rounded to the nearest double; agrees with a Taylor-series integration of the equation of motion"
+    "sin(phi/2) = k cd(omega t | k^2), k = sin(pi/4), phi from the downward vertical; "
+    f"mpmath with {DIGITS} digits, rounded to the nearest double; agrees with a Taylor-series integration "
+    "of the equation of motion"
 )
 
 
-def generate(L: float, h: float, g: float) -> dict:
-    """The tip at 0, 0.05 … 2 s, after the closed form and the integrated equation of motion were found to agree."""
+def generate(L, h, g):
+    """The tip at 0, 0.05 ... 2 s, after closed form and integrated equation of motion were found to agree."""
     with mp.workdps(DIGITS):
         L, h, g = (mpf(str(value)) for value in (L, h, g))
         omega_squared = g * (L / 2) / (L**2 / 3 + h**2 / 12)
@@ -47,13 +47,13 @@ def generate(L: float, h: float, g: float) -> dict:
 
 
 def _angle(t, omega_squared):
-    """φ(t) by the elliptic function; the start is horizontal, so k² = sin²(π/4) = 1/2."""
-    k = mp.sqrt(mpf(1) / 2)
+    """phi(t) by the elliptic function."""
+    k = mp.sin(mp.pi / 4)
     return 2 * mp.asin(k * mp.ellipfun("cd", mp.sqrt(omega_squared) * t, m=k**2))
 
 
 def _integrated_angles(times, omega_squared):
-    """φ at the given times from φ̈ = −ω² sin φ by mpmath's Taylor-series integrator."""
+    """phi at the given times from its equation of motion, by mpmath's Taylor-series integrator."""
     solution = mp.odefun(lambda t, y: [y[1], -omega_squared * mp.sin(y[0])], 0, [mp.pi / 2, mpf(0)])
     return [solution(t)[0] for t in times]
 

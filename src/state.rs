@@ -7,22 +7,9 @@
 use crate::equations::force::{Element, Matrix14};
 use crate::equations::shape::Vector14;
 use crate::equations::{force, inertia, material, motion, shape, strain};
+pub use crate::scene::ThermalModel;
 use nalgebra::{Dim, Matrix, RawStorage, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
-
-/// Which way heat strains an element.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum ThermalModel {
-    /// The paper's: the same in every direction of the plane, (8).
-    #[serde(rename = "2d")]
-    TwoD,
-    /// The one it compares with: along the rod's initial direction only.
-    #[serde(rename = "1d")]
-    OneD,
-    /// Heat does nothing.
-    #[serde(rename = "none")]
-    None,
-}
 
 /// An element state: geometry, motion, material, temperature and the points to look at. SI units.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

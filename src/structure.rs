@@ -210,8 +210,8 @@ impl Structure {
         let Some(Heat { temperature, alpha }) = &self.heat else { return [0.0; 2] };
         let strain = alpha * temperature.at(t);
         match temperature.model {
-            ThermalModel::TwoDimensional => [strain, strain],
-            ThermalModel::OneDimensional => [strain, 0.0],
+            ThermalModel::TwoD => [strain, strain],
+            ThermalModel::OneD => [strain, 0.0],
             ThermalModel::None => [0.0; 2],
         }
     }

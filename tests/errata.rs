@@ -12,7 +12,7 @@ use ancf::equations::shape::{self, Nodes, Vector14};
 use ancf::equations::{material, strain};
 use nalgebra::{Matrix2, Vector2, Vector3};
 use proptest::prelude::*;
-use states::{POSITIONS, Sizes, assert_within, axes, cases, element, moved, states, turned, uniform};
+use states::{Energy, K, POSITIONS, Sizes, assert_within, axes, cases, element, moved, states, turned, uniform};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 const L: f64 = 2.0;
@@ -45,19 +45,14 @@ impl Rod {
         self.stretched((1.0 + 2.0 * along).sqrt(), (1.0 + 2.0 * across).sqrt())
     }
 
+    /// (19), consistent.
     fn Q_e(&self, e: &Vector14, eps_T: &Vector3<f64>) -> Vector14 {
-        Q_e(e, eps_T, self.lambda, self.mu, &self.element)
+        force::Q_e(e, &K(force::K, e, eps_T, self.lambda, self.mu, &self.element))
     }
 
     fn sizes(&self, e: &Vector14, heat: f64) -> Sizes {
         Sizes::of(&self.element, self.lambda, self.mu, heat, e)
     }
-}
-
-/// (19)–(21), consistent.
-fn Q_e(e: &Vector14, eps_T: &Vector3<f64>, lambda: f64, mu: f64, element: &Element) -> Vector14 {
-    let (K_1, K_2, K_3) = (force::K_1(e, eps_T, element), force::K_2(e, eps_T, element), force::K_3(e, eps_T, element));
-    force::Q_e(e, &force::K(lambda, mu, &K_1, &K_2, &K_3))
 }
 
 /// Force of a uniform stress on a uniformly strained element: Q = ∫ Gradᵀ P with P = J σ, the force by area.
@@ -80,11 +75,11 @@ proptest! {
     fn e1_printed_coefficients_miss_the_nodal_conditions(s in states()) {
         let (e, l) = (s.e(0), s.l);
         let nodes = shape::nodes(&e);
-        // Terms of (A.3) put into (A.1) at x ≤ l, with factors up to 22 for rᵏ in a₄: 47 of r, 92 of r/l and 17 of r_y.
-        let largest = |places: &[usize]| places.iter().fold(0.0, |size: f64, &n| size.max(e[2 * n].abs()).max(e[2 * n + 1].abs()));
-        let (r, r_y) = (largest(&POSITIONS).max(l * largest(&[3])), largest(&[1, 4, 6]));
-        let scale: [f64; 14] =
-            std::array::from_fn(|row| [47.0 * r, 17.0 * r_y, 47.0 * r, 92.0 * r / l, 17.0 * r_y, 47.0 * r, 17.0 * r_y][row / 2]);
+        // Terms of (A.3) put into (A.1) at x ≤ l: (1 + 12 + 22 + 12) r, (12 + 2·22 + 3·12) r/l and (1 + 8 + 8) r_y.
+        let largest =
+            |n: &[usize]| n.iter().flat_map(|n| [e[2 * n], e[2 * n + 1]]).fold(0.0, |size: f64, e| size.max(e.abs()));
+        let (r, r_y) = (47.0 * largest(&POSITIONS).max(l * largest(&[3])), 17.0 * largest(&[1, 4, 6]));
+        let scale: [f64; 14] = std::array::from_fn(|row| [r, r_y, r, 2.0 * r / l, r_y, r, r_y][row / 2]);
 
         let consistent = shape::nodal_conditions(&shape::coefficients(&nodes, l), l);
         assert_within("(A.2)", shape::e(&consistent).as_slice(), e.as_slice(), &scale);
@@ -97,9 +92,8 @@ proptest! {
 
     /// E2. The printed "− 1" in K₃ is a uniform shear stress that nothing causes.
     ///
-    /// At rest eᵀS_c e = 0 and J = I, so with (20) as printed Q_e = 2μK₃e = −½μ ∫ (G₁ᵀe_y + G₂ᵀe_x) dV: the force of the
-    /// stress −½μ (e_x⊗e_y + e_y⊗e_x), in global axes. On the cut at node k it is ½μA, or EA/4 at ν = 0: along the rod
-    /// it would stretch it by about a quarter.
+    /// At rest eᵀS_c e = 0 and J = I, so with (20) as printed Q_e = 2μK₃e = −½μ ∫ (G₁ᵀe_y + G₂ᵀe_x) dV: the force of
+    /// the stress −½μ (e_x⊗e_y + e_y⊗e_x), in global axes. It loads the ends with ½μA, which is EA/4 at ν = 0.
     #[test]
     fn e2_printed_k3_gives_a_force_on_the_undeformed_element(theta in -3.2..3.2, nu in -0.9..0.49) {
         let rod = Rod::new(theta, nu);
@@ -140,8 +134,8 @@ proptest! {
     /// Free heating: left alone, a relaxed rod finds the stretch √(1 + 2αΔT) in the heated directions and 1 in the
     /// others, and is free of force there. 1e-13 and 1e-12 EA are what users of the element may rely on.
     ///
-    /// Newton's iteration starts from the stretch 1 + αΔT of small strains (M2), where the rod is in tension (it is never
-    /// less than √(1 + 2αΔT)), so the tangent is positive definite but for the three rigid motions.
+    /// Newton's iteration starts from the stretch 1 + αΔT of small strains. That is never less than √(1 + 2αΔT) (M2),
+    /// so the rod is in tension there and does not buckle on its way.
     #[test]
     fn a_heated_free_rod_finds_its_stretch(s in states()) {
         let (l, area, eps_T, element) = (s.l, s.h * s.w, s.eps_T(0), s.element());
@@ -155,17 +149,19 @@ proptest! {
             e -= (K + hold_rigid_motions(&e, s.E * area / l, l)).lu().solve(&s.Q_e(&e)).unwrap();
         }
 
-        let nodes = shape::nodes(&e);
         let (along, across) = ((1.0 + 2.0 * heat_t).sqrt(), (1.0 + 2.0 * heat_n).sqrt());
-        let found = [(nodes.r_k - nodes.r_i).norm() / l, nodes.r_x_j.norm(), nodes.r_y_i.norm(), nodes.r_y_j.norm(), nodes.r_y_k.norm()];
-        for (found, expected) in found.into_iter().zip([along, along, across, across, across]) {
-eprintln!("RATIO stretch(1)\t{:e}", (found-expected).abs()); prop_assert!((found - expected).abs() <= 1e-9, "stretch {found:.16}, not {expected:.16}");
+        let Nodes { r_i, r_y_i, r_x_j, r_y_j, r_k, r_y_k, .. } = shape::nodes(&e);
+        for (vector, expected) in
+            [((r_k - r_i) / l, along), (r_x_j, along), (r_y_i, across), (r_y_j, across), (r_y_k, across)]
+        {
+            let found = vector.norm();
+            prop_assert!((found - expected).abs() <= 1e-13, "stretch {found:.16}, not {expected:.16}");
         }
 
         let Q = s.Q_e(&stretched(along, across));
         for (row, Q) in Q.iter().enumerate() {
             let arm = if POSITIONS.contains(&(row / 2)) { 1.0 } else { l };
-eprintln!("RATIO QEA(1)\t{:e}", Q.abs()/(s.E*area*arm)); prop_assert!(1e-6*Q.abs() <= 1e-12 * s.E * area * arm, "Q_e has {Q:.1e} in row {row}");
+            prop_assert!(Q.abs() <= 1e-12 * s.E * area * arm, "Q_e has {Q:.1e} in row {row}");
         }
     }
 }
@@ -180,18 +176,18 @@ fn hold_rigid_motions(e: &Vector14, k: f64, l: f64) -> Matrix14 {
 
 /// E3 at 45°: the printed form loses a third of a rod's axial stiffness (ν = 0).
 ///
-/// With strains a along and b across, ε₁₁ = ε₂₂ = (a + b)/2 and ε₁₂ = (a − b)/2. The consistent energy is μV (a² + b²),
-/// least at b = 0: the uniaxial ½EV a². The printed one is μV \[½(a + b)² + ¼(a − b)²\] = μV \[¾a² + ¾b² + ½ab\], least at
-/// b = −a/3: ⅔ of it. A parabola in b with equal values on both sides has its least one in the middle.
+/// With strains a along and b across, ε₁₁ = ε₂₂ = (a + b)/2 and ε₁₂ = (a − b)/2. The consistent energy is
+/// μV (a² + b²), least at b = 0: the uniaxial ½EV a². The printed one is μV \[½(a + b)² + ¼(a − b)²\]
+/// = μV \[¾a² + ¾b² + ½ab\], least at b = −a/3: ⅔ of it. A parabola in b with equal values on both sides has its least
+/// one in the middle.
 #[test]
 fn e3_printed_rod_at_45_degrees_loses_a_third_of_its_axial_stiffness() {
     let rod = Rod::new(FRAC_PI_4, 0.0);
     let a = 0.03;
     let uniaxial = 0.5 * E * AREA * L * a * a;
     // In units of the uniaxial energy, over b in units of a.
-    let energy = |U: fn(&Vector14, &Vector3<f64>, f64, f64, &Element) -> f64, b: f64| {
-        U(&rod.strained(a, b * a), &Vector3::zeros(), rod.lambda, rod.mu, &rod.element) / uniaxial
-    };
+    let energy =
+        |U: Energy, b: f64| U(&rod.strained(a, b * a), &Vector3::zeros(), rod.lambda, rod.mu, &rod.element) / uniaxial;
     let scale = [rod.sizes(&rod.strained(a, a), 0.0).energy() / uniaxial; 3];
     let third = 1.0 / 3.0;
     let consistent = [-third, 0.0, third].map(|b| energy(force::U, b));

@@ -64,3 +64,59 @@ fn implicit_methods_meet_the_oracle() {
         }
     }
 }
+
+/// Energy–momentum keeps the energy to Newton's tolerance: ≤ 1e-10 of the largest kinetic energy over 2 s at 1e-3 s.
+///
+/// This says nothing about accuracy: at this step the heated tip is centimetres off (`tests/convergence.rs`).
+#[test]
+fn energy_momentum_keeps_the_energy() {
+    for name in ["pendulum-flexible", "pendulum-1d", "pendulum-2d", "pendulum-2d-relaxed"] {
+        let run = run(&scene(name, 8, Method::EnergyMomentum, 1e-3, 2.0)).unwrap();
+        let (imbalance, kinetic) = energies(&run);
+        assert!(imbalance <= 1e-10 * kinetic, "{name}: {imbalance:.1e} J of {kinetic:.1e} J");
+        assert_eq!(run.counts.steps, 2000);
+    }
+}
+
+/// Heat that changes during the run puts in the work −∫ σ̄ : Δε_T dV, exactly in the energy–momentum step: the balance
+/// holds while the input itself is far from constant. The explicit method's comes close at its short steps.
+#[test]
+fn heating_work_is_accounted_for() {
+    let mut scene = scene("pendulum-2d", 4, Method::EnergyMomentum, 1e-3, 0.5);
+    scene.temperature.as_mut().unwrap().history = vec![[0.0, 0.0], [0.1, 200.0], [0.25, -100.0], [0.4, 50.0]];
+    let exact = run(&scene).unwrap();
+    let input = exact.trajectory.column("energy.input").unwrap();
+    let (low, high) = input.iter().fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(*v), high.max(*v)));
+    let (imbalance, kinetic) = energies(&exact);
+    assert!(high - low > 0.1, "the heat puts in {low} … {high} J: too little to test anything");
+    assert!(imbalance <= 1e-10 * kinetic, "{imbalance:.1e} J of {kinetic:.1e} J");
+
+    scene.time.method = Method::Explicit;
+    scene.time.step = 1e-5;
+    let (imbalance, kinetic) = energies(&run(&scene).unwrap());
+    assert!(imbalance <= 1e-7 * kinetic, "explicit: {imbalance:.1e} J of {kinetic:.1e} J");
+}
+
+fn energies(run: &Run) -> (f64, f64) {
+    let largest = |name| run.trajectory.column(name).unwrap().iter().fold(0.0, |largest: f64, v| largest.max(v.abs()));
+    (largest("energy.balance"), largest("energy.kinetic"))
+}
+
+/// With one element the textbook order 2 appears in all three methods (0–0.5 s, against the oracle).
+#[test]
+fn observed_order_is_two_with_one_element() {
+    let oracle = Pendulum::load();
+    let implicit = [1e-3, 5e-4, 2.5e-4, 1.25e-4, 6.25e-5];
+    // The explicit method is stable below 7e-5 s only.
+    let explicit = [6.25e-5, 3.125e-5, 1.5625e-5, 7.8125e-6];
+    let cases: [(Method, &[f64]); 3] =
+        [(Method::EnergyMomentum, &implicit), (Method::GeneralizedAlpha, &implicit), (Method::Explicit, &explicit)];
+    for (method, steps) in cases {
+        let errors: Vec<f64> =
+            steps.iter().map(|&step| distance_from_oracle(oracle.run("flexible-1"), method, step)).collect();
+        for pair in errors.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            assert!((1.9..=2.1).contains(&order), "{method}: order {order:.2}, errors {errors:?}");
+        }
+    }
+}

@@ -14,7 +14,10 @@ use ancf::equations::{inertia, strain, volume};
 use common::TOLERANCE;
 use nalgebra::{Vector2, Vector3};
 use proptest::prelude::*;
-use states::{POSITIONS, Sizes, assert_within, cases, five_point, moved, rows, states, turned, uniform, unit};
+use states::{
+    Energy, K, POSITIONS, Sizes, Stiffness, assert_within, cases, five_point, moved, rows, states, turned, uniform,
+    unit,
+};
 
 /// Largest terms of S over the element by nodal vector, and so of r = Σ S e; by hand from (3).
 fn sizes_of_S(element: &Element) -> [f64; 14] {
@@ -23,8 +26,6 @@ fn sizes_of_S(element: &Element) -> [f64; 14] {
     std::array::from_fn(|i| N[i / 2])
 }
 
-type Energy = fn(&Vector14, &Vector3<f64>, f64, f64, &Element) -> f64;
-type Stiffness = fn(f64, f64, &Matrix14, &Matrix14, &Matrix14) -> Matrix14;
 type Tangent = fn(&Vector14, &Vector3<f64>, f64, f64, &Element) -> Matrix14;
 
 /// Energy, stiffness and tangent that belong together: the consistent ones and those with the printed shear (E3).
@@ -36,7 +37,9 @@ proptest! {
 
     /// A rigid motion of the deformed element changes no strain, so U stays and Q_e turns with the element.
     #[test]
-    fn a_rigid_motion_keeps_the_energy_and_turns_the_forces(s in states(), angle in -3.2..3.2, by in (-1.0..1.0, -1.0..1.0)) {
+    fn a_rigid_motion_keeps_the_energy_and_turns_the_forces(
+        s in states(), angle in -3.2..3.2, by in (-1.0..1.0, -1.0..1.0),
+    ) {
         let e = s.e(0);
         let e_moved = moved(&turned(&e, angle), &(s.l * Vector2::new(by.0, by.1)));
         let sizes = s.sizes(&e.sup(&e_moved.abs()));
@@ -152,12 +155,8 @@ proptest! {
         let force_scale = D.map(|d| 1.5 * sizes.energy() * d);
         let tangent_scale: Vec<f64> = sizes.force().iter().flat_map(|f| D.map(|d| 1.5 * f * d)).collect();
 
-        for (form, (U, K, tangent)) in ["consistent", "printed shear"].iter().zip(FORMS) {
-            let Q_e = |e: &Vector14| {
-                let (K_1, K_2, K_3) =
-                    (force::K_1(e, &eps_T, &element), force::K_2(e, &eps_T, &element), force::K_3(e, &eps_T, &element));
-                K(lambda, mu, &K_1, &K_2, &K_3) * e
-            };
+        for (form, (U, sum, tangent)) in ["consistent", "printed shear"].iter().zip(FORMS) {
+            let Q_e = |e: &Vector14| force::Q_e(e, &K(sum, e, &eps_T, lambda, mu, &element));
             let dU: [f64; 14] = std::array::from_fn(|i| {
                 five_point(|step| U(&(e + unit(i, step)), &eps_T, lambda, mu, &element), 1.0 / D[i])
             });

@@ -39,7 +39,7 @@ fn heat_without_words_is_2d_and_sudden() {
     let text = SMALLEST.replace("\"rho\": 2", "\"rho\": 2, \"alpha\": 1e-5");
     let scene = Scene::parse(&text.replacen('{', "{\"temperature\": {\"history\": [[0, 9]]},", 1), "test").unwrap();
     let history = vec![[0.0, 9.0]];
-    let expected = Temperature { model: ThermalModel::TwoDimensional, start: Start::Sudden, history };
+    let expected = Temperature { model: ThermalModel::TwoD, start: Start::Sudden, history };
     assert_eq!(scene.heat(), Some(&expected));
 }
 
@@ -98,10 +98,10 @@ fn names_of_the_builtin_scenes() {
 fn builtin_pendulums_are_those_of_table_1() {
     let models = [
         ("pendulum-flexible", None),
-        ("pendulum-1d", Some((ThermalModel::OneDimensional, Start::Sudden))),
-        ("pendulum-2d", Some((ThermalModel::TwoDimensional, Start::Sudden))),
-        ("pendulum-1d-relaxed", Some((ThermalModel::OneDimensional, Start::Relaxed))),
-        ("pendulum-2d-relaxed", Some((ThermalModel::TwoDimensional, Start::Relaxed))),
+        ("pendulum-1d", Some((ThermalModel::OneD, Start::Sudden))),
+        ("pendulum-2d", Some((ThermalModel::TwoD, Start::Sudden))),
+        ("pendulum-1d-relaxed", Some((ThermalModel::OneD, Start::Relaxed))),
+        ("pendulum-2d-relaxed", Some((ThermalModel::TwoD, Start::Relaxed))),
     ];
     for (name, heat) in models {
         let scene = Scene::load(name).unwrap();
@@ -145,7 +145,7 @@ fn builtin_text_is_the_scene() {
 #[test]
 fn history_is_piecewise_linear_and_constant_outside() {
     let history = vec![[0.25, 0.0], [1.25, 150.0], [1.75, -150.0]];
-    let temperature = Temperature { model: ThermalModel::TwoDimensional, start: Start::Sudden, history };
+    let temperature = Temperature { model: ThermalModel::TwoD, start: Start::Sudden, history };
     let cases = [
         (-1.0, 0.0),
         (0.25, 0.0),

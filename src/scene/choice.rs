@@ -26,9 +26,9 @@ words! {
     pub enum ThermalModel {
         /// Along the rod and across it: ε_T = αΔT I, equation (8).
         #[default]
-        TwoDimensional = "2d",
+        TwoD = "2d",
         /// Along the rod only: ε_T = αΔT t⊗t with the rod's initial direction t.
-        OneDimensional = "1d",
+        OneD = "1d",
         /// None: the history is ignored.
         None = "none",
     }
