@@ -51,7 +51,10 @@ pub struct Structure {
     gravity: DVector<f64>,
     start: DVector<f64>,
     heat: Option<Heat>,
-    rounding: f64,
+    /// Force of a unit strain, N, moments over their own length.
+    unit_force: f64,
+    /// Length of the shortest element, m.
+    shortest: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -126,7 +129,8 @@ impl Structure {
 
         let size = numbering.kinds.len();
         let band = places.iter().map(|place| spread(&place.unknowns)).max().unwrap_or(0);
-        let longest = rods.iter().map(|rod| rod.element.l).fold(0.0, f64::max);
+        let lengths = || rods.iter().map(|rod: &RodElement| rod.element.l);
+        let longest = lengths().fold(0.0, f64::max);
         let mut structure = Structure {
             kinds: numbering.kinds,
             points,
@@ -137,7 +141,8 @@ impl Structure {
             heat: scene
                 .heat()
                 .map(|temperature| Heat { temperature: temperature.clone(), alpha: scene.material.alpha }),
-            rounding: f64::EPSILON * (lambda + 2.0 * mu) * h * w * (longest / h).max(1.0),
+            unit_force: (lambda + 2.0 * mu) * h * w * (longest / h).max(1.0),
+            shortest: lengths().fold(f64::INFINITY, f64::min),
             rods,
             places,
         };
@@ -232,9 +237,13 @@ impl Structure {
         entries.fold(0.0, |largest, value| if value > largest || value.is_nan() { value } else { largest })
     }
 
-    /// Rounding error of an elastic force, N: ε_mach times the force of a unit strain.
-    pub fn rounding(&self) -> f64 {
-        self.rounding
+    /// Rounding error of the elastic forces at `u`, N, moments over their own length.
+    ///
+    /// A strain is made of differences of u over an element's length l, and u carries ε_mach |u|: the error is that strain,
+    /// ε_mach (1 + |u|/l), times the force of a unit strain.
+    pub fn rounding(&self, u: &DVector<f64>) -> f64 {
+        let largest = u.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position).map(|(u, _)| u.abs());
+        self.unit_force * f64::EPSILON * (1.0 + largest.fold(0.0, f64::max) / self.shortest)
     }
 
     /// Position of a point of the scene.

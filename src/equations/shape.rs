@@ -162,7 +162,8 @@ pub fn coefficients(nodes: &Nodes, l: f64) -> Coefficients {
     ]
 }
 
-/// (A.3) **as printed**: a₁ with +rᵏ (E1). It misses r(l, 0) = rᵏ and r_x(l/2, 0) = r_xʲ by multiples of rᵏ.
+/// (A.3) **as printed**: a₁ with +rᵏ (E1). The field is off by −(2x/l) rᵏ: (A.2) is missed at rʲ by rᵏ, at r_xʲ by 2rᵏ/l
+/// and at rᵏ by 2rᵏ.
 pub fn coefficients_printed(nodes: &Nodes, l: f64) -> Coefficients {
     let Nodes { r_i, r_j, r_x_j, r_k, .. } = nodes;
     let mut c = coefficients(nodes, l);

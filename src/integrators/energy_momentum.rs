@@ -10,7 +10,7 @@ use nalgebra::DVector;
 use super::{Integrator, State};
 use crate::error::Result;
 use crate::kernel::Ends;
-use crate::newton::{self, Residual};
+use crate::newton::{self, Equation, Residual};
 use crate::run::Counts;
 use crate::structure::Structure;
 
@@ -52,7 +52,7 @@ impl Integrator for EnergyMomentum {
             matrix
         };
         let mut du = v_0 * dt;
-        newton::solve(structure, self.tolerance, (t_1, state.step + 1), &mut du, counts, residual, tangent)?;
+        newton::solve(structure, self.tolerance, (state, t_1), Equation { residual, tangent }, &mut du, counts)?;
 
         state.v = &du * (2.0 / dt) - v_0;
         state.u += du;

@@ -11,7 +11,7 @@ use nalgebra::DVector;
 
 use super::{Integrator, State, acceleration, mass_factors};
 use crate::error::Result;
-use crate::newton::{self, Residual};
+use crate::newton::{self, Equation, Residual};
 use crate::run::Counts;
 use crate::structure::Structure;
 
@@ -89,7 +89,7 @@ impl Integrator for GeneralizedAlpha {
             matrix
         };
         let mut du = v_0 * dt;
-        newton::solve(structure, self.tolerance, (t_1, state.step + 1), &mut du, counts, residual, tangent)?;
+        newton::solve(structure, self.tolerance, (state, t_1), Equation { residual, tangent }, &mut du, counts)?;
 
         let a_1 = a_1(&du);
         state.v += a_0 * (dt * (1.0 - gamma)) + &a_1 * (dt * gamma);

@@ -1,0 +1,211 @@
+//! Structures: assembly, pins, the relaxed start, the stability bound, independence of place and direction; and how runs
+//! that cannot be trusted end.
+
+mod common;
+
+use ancf::error::Error;
+use ancf::linear::BandMatrix;
+use ancf::run::run;
+use ancf::scene::{Method, Scene, Support};
+use ancf::structure::Structure;
+use nalgebra::{DMatrix, DVector, Rotation2, Vector2};
+
+/// The pendulum of a built-in scene, turned by `angle` about the origin with its gravity, and moved by `by`.
+fn turned_and_moved(name: &str, angle: f64, by: [f64; 2]) -> Scene {
+    let mut scene = Scene::builtin(name).unwrap();
+    let turn = Rotation2::new(angle);
+    for point in scene.points.values_mut() {
+        *point = (turn * Vector2::from(*point) + Vector2::from(by)).into();
+    }
+    scene.gravity = (turn * Vector2::from(scene.gravity)).into();
+    scene
+}
+
+/// Two rods of three elements, pinned at a knee: o–a horizontal, a–b upwards.
+fn knee() -> Scene {
+    let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+    scene.points.insert("b".into(), [1.5, 2.0]);
+    scene.rods[0].elements = 3;
+    let mut second = scene.rods[0].clone();
+    (second.name, second.from, second.to) = ("second".into(), "a".into(), "b".into());
+    scene.rods.push(second);
+    scene
+}
+
+fn dense(matrix: &BandMatrix) -> DMatrix<f64> {
+    DMatrix::from_fn(matrix.size(), matrix.size(), |row, column| matrix.get(row, column))
+}
+
+/// A displacement without pattern, of about `size`.
+fn somewhere(structure: &Structure, size: f64) -> DVector<f64> {
+    DVector::from_fn(structure.size(), |i, _| size * (1.7 * i as f64 + 0.3).sin())
+}
+
+/// The tangent of two pinned rods is the derivative of their forces: a cubic in u, so five points are exact.
+#[test]
+fn the_assembled_tangent_is_a_derivative() {
+    let structure = Structure::new(&knee());
+    let (u, heat) = (somewhere(&structure, 0.1), [0.02, -0.01]);
+    let force = |u: &DVector<f64>| {
+        let mut sum = DVector::zeros(structure.size());
+        structure.force(u, heat, &mut sum);
+        sum
+    };
+    let tangent = dense(&structure.tangent(&u, heat));
+    for i in 0..structure.size() {
+        let at = |step: f64| {
+            let mut moved = u.clone();
+            moved[i] += step;
+            force(&moved)
+        };
+        let derivative = (8.0 * (at(0.5) - at(-0.5)) - (at(1.0) - at(-1.0))) / 6.0;
+        let off = (tangent.column(i) - derivative).amax();
+        assert!(off <= 1e-11 * tangent.amax(), "column {i}: off by {off:.1e} of {:.1e}", tangent.amax());
+    }
+}
+
+/// A chain that nothing holds falls like a stone, undeformed: r = r₀ + ½ g t². The knee is one point of both rods.
+#[test]
+fn a_free_chain_falls_like_a_stone() {
+    let mut scene = knee();
+    scene.supports.clear();
+    (scene.time.method, scene.time.step, scene.time.end) = (Method::EnergyMomentum, 1e-2, 1.0);
+    let run = run(&scene).unwrap();
+    let y = *run.trajectory.column("tip.y").unwrap().last().unwrap();
+    assert!((y + 4.9).abs() < 1e-12, "the knee is at {y} m");
+    let strain = run.trajectory.column("energy.strain").unwrap();
+    assert!(strain.iter().all(|energy| energy.abs() < 1e-12), "{strain:?}");
+}
+
+/// Free heating, 1D and 2D, at any inclination: the relaxed rod has its ends √(1 + 2αΔT) apart and no forces, and stays.
+#[test]
+fn a_relaxed_free_rod_is_stress_free_at_any_inclination() {
+    for (name, angle) in
+        ["pendulum-1d-relaxed", "pendulum-2d-relaxed"].iter().flat_map(|n| (0..12).map(move |k| (n, k)))
+    {
+        let mut scene = turned_and_moved(name, angle as f64 * 0.55, [3.0, -2.0]);
+        scene.supports.clear();
+        scene.gravity = [0.0, 0.0];
+        (scene.time.step, scene.time.end, scene.output.interval) = (1e-3, 0.1, None);
+        let structure = Structure::new(&scene);
+        let u = structure.start();
+        let [o, a] = ["o", "a"].map(|point| Vector2::from(structure.position(point, u)));
+        let expected = (1.0f64 + 2.0 * 2.85e-5 * 200.0).sqrt();
+        assert!(((a - o).norm() - expected).abs() <= 1e-13 * expected, "{name}, {angle}: {}", (a - o).norm());
+
+        let mut force = DVector::zeros(structure.size());
+        structure.force(u, structure.thermal_strain(0.0), &mut force);
+        let unit_strain = 2e8 * 0.02 * 0.02;
+        assert!(force.amax() <= 1e-12 * unit_strain, "{name}, {angle}: {:.1e} N", force.amax());
+
+        let rows = run(&scene).unwrap().trajectory;
+        let moved = |name: &str| {
+            rows.column(name)
+                .unwrap()
+                .iter()
+                .map(|x| x - rows.column(name).unwrap()[0])
+                .fold(0.0, |m: f64, d| m.max(d.abs()))
+        };
+        assert!(moved("tip.x").max(moved("tip.y")) <= 1e-12, "{name}, {angle}: it moved");
+    }
+}
+
+/// Unknowns are displacements, so neither a shift of 10⁶ m nor a turn of the scene changes the motion.
+#[test]
+fn place_and_direction_do_not_matter() {
+    let tip = |scene: &mut Scene| {
+        (scene.time.method, scene.time.step, scene.time.end) = (Method::EnergyMomentum, 5e-4, 0.25);
+        let structure = Structure::new(scene);
+        let start = Vector2::from(structure.position("a", &DVector::zeros(structure.size())));
+        let rows = run(scene).unwrap().trajectory;
+        let end = |name: &str| *rows.column(name).unwrap().last().unwrap();
+        (Vector2::new(end("tip.x"), end("tip.y")) - start, Vector2::new(end("tip.vx"), end("tip.vy")))
+    };
+    for name in ["pendulum-flexible", "pendulum-1d", "pendulum-2d-relaxed"] {
+        let (moved, velocity) = tip(&mut turned_and_moved(name, 0.0, [0.0, 0.0]));
+        let (far, far_velocity) = tip(&mut turned_and_moved(name, 0.0, [1e6, -1e6]));
+        // Only the printed position is rounded at 10⁶ m, and the coordinates of the scene itself.
+        assert!((far - moved).norm() < 1e-8 && (far_velocity - velocity).norm() < 1e-6, "{name}: {far} {moved}");
+        let turn = Rotation2::new(0.9);
+        let (turned, turned_velocity) = tip(&mut turned_and_moved(name, 0.9, [0.0, 0.0]));
+        assert!((turned - turn * moved).norm() < 1e-9, "{name}: {turned} {}", turn * moved);
+        assert!((turned_velocity - turn * velocity).norm() < 1e-6, "{name}");
+    }
+}
+
+/// The stability bound is above the true largest frequency, and not by so much that it costs steps.
+#[test]
+fn the_frequency_bound_is_a_bound_and_close() {
+    for (elements, held) in [(1, true), (4, true), (4, false), (16, true)] {
+        let mut scene = Scene::builtin("pendulum-2d").unwrap();
+        scene.rods[0].elements = elements;
+        if !held {
+            scene.supports = Vec::<Support>::new();
+        }
+        let structure = Structure::new(&scene);
+        let (mass, stiffness) =
+            (dense(structure.mass()), dense(&structure.tangent(structure.start(), structure.thermal_strain(0.0))));
+        let lower = mass.cholesky().unwrap().l();
+        let half = lower.solve_lower_triangular(&stiffness).unwrap();
+        let largest = lower.solve_lower_triangular(&half.transpose()).unwrap().symmetric_eigenvalues().max().sqrt();
+        let bound = structure.largest_frequency();
+        assert!((0.999_999..1.1).contains(&(bound / largest)), "{elements} elements: {bound:e} for {largest:e} rad/s");
+    }
+}
+
+/// An explicit step just below the limit stays bounded; just above it is refused with the limit.
+#[test]
+fn explicit_steps_over_the_limit_are_refused() {
+    let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+    let limit = 2.0 / Structure::new(&scene).largest_frequency();
+    scene.time.method = Method::Explicit;
+    scene.output.interval = None;
+    let mut with_step = |step: f64| {
+        (scene.time.step, scene.time.end) = (step, 2000.0 * step);
+        run(&scene)
+    };
+    let energy = with_step(0.99 * limit).unwrap().trajectory.column("energy.balance").unwrap();
+    assert!(energy.iter().all(|balance| balance.abs() < 1e-2), "unstable below the limit");
+    match with_step(1.01 * limit) {
+        Err(Error::StepTooLarge { largest, .. }) => assert!((largest - limit).abs() < 1e-12 * limit),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Where Newton's iteration does not converge the run ends with time, iterations and residual.
+#[test]
+fn a_newton_failure_names_time_and_residual() {
+    let mut scene = Scene::builtin("pendulum-2d").unwrap();
+    (scene.time.method, scene.time.step, scene.time.end) = (Method::GeneralizedAlpha, 0.01, 1.0);
+    scene.output.interval = None;
+    match run(&scene) {
+        Err(Error::NewtonFailed { time, iterations, residual, tolerance }) => {
+            assert!(time > 0.0 && iterations > 0 && residual > tolerance);
+        }
+        other => panic!("{:?}", other.map(|run| run.counts)),
+    }
+}
+
+/// Rounding is no failure: with 32 short elements and displacements of two metres the residual cannot get below
+/// ε_mach EA |u|/l, and the iteration knows.
+#[test]
+fn newton_stops_at_the_rounding_error() {
+    let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+    scene.rods[0].elements = 32;
+    (scene.time.method, scene.time.step, scene.time.end) = (Method::EnergyMomentum, 0.05, 1.0);
+    (scene.time.newton_tolerance, scene.output.interval) = (1e-15, None);
+    let counts = run(&scene).unwrap().counts;
+    assert!(counts.newton_iterations <= 10 * counts.steps, "{counts:?}");
+}
+
+/// A step that cannot resolve the wave of a heat shock is reported.
+#[test]
+fn coarse_steps_under_a_heat_shock_are_warned_of() {
+    let warnings = |name: &str, step: f64| {
+        let mut scene = Scene::builtin(name).unwrap();
+        (scene.time.step, scene.time.end, scene.output.interval) = (step, 2.0 * step, None);
+        run(&scene).unwrap().warnings
+    };
+    assert!(warnings("pendulum-2d", 1e-3)[0].contains("axial wave"));
+    assert!(warnings("pendulum-2d", 1e-4).is_empty() && warnings("pendulum-2d-relaxed", 1e-3).is_empty());
+}
