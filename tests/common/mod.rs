@@ -77,19 +77,16 @@ fn flatten(value: &Value, numbers: &mut Vec<f64>) {
     }
 }
 
-/// The largest |a − b| / scale over the entries; every scale is positive and finite, and a NaN is infinitely far.
-pub fn worst_ratio(actual: &[f64], expected: &[f64], scale: &[f64]) -> f64 {
-    assert_eq!(actual.len(), expected.len(), "numbers of entries differ");
-    assert_eq!(actual.len(), scale.len(), "one scale for each entry");
+/// Whether |a − b| ≤ tolerance · scale, entry by entry: never for a NaN, and every scale must be positive and finite.
+pub fn within(tolerance: f64, actual: &[f64], expected: &[f64], scale: &[f64]) -> bool {
+    assert_eq!((actual.len(), actual.len()), (expected.len(), scale.len()), "numbers of entries differ");
     assert!(scale.iter().all(|s| *s > 0.0 && s.is_finite()), "a scale is not positive: {scale:?}");
-    let ratio = |((a, b), s): ((&f64, &f64), &f64)| if a.is_nan() { f64::INFINITY } else { (a - b).abs() / s };
-    actual.iter().zip(expected).zip(scale).map(ratio).fold(0.0, f64::max)
+    let mut entries = actual.iter().zip(expected).zip(scale);
+    entries.all(|((a, b), s)| approx::abs_diff_eq!(a, b, epsilon = tolerance * s))
 }
 
-/// `max|a − b| ≤ tolerance · max|b|`, or `≤ tolerance · absolute` where b is smaller than that.
-#[track_caller]
-pub fn assert_close(what: &str, actual: &[f64], expected: &[f64], tolerance: f64, absolute: f64) {
-    let size = expected.iter().fold(absolute, |size, b| size.max(b.abs()));
-    let ratio = worst_ratio(actual, expected, &vec![size; expected.len()]);
-    assert!(ratio <= tolerance, "{what}: off by {ratio:.3e} of {size:.3e}; allowed {tolerance:.1e}");
+/// The largest |a − b| / scale, for messages; a NaN is infinitely far.
+pub fn worst_ratio(actual: &[f64], expected: &[f64], scale: &[f64]) -> f64 {
+    let ratio = |((a, b), s): ((&f64, &f64), &f64)| if a.is_nan() { f64::INFINITY } else { (a - b).abs() / s };
+    actual.iter().zip(expected).zip(scale).map(ratio).fold(0.0, f64::max)
 }

@@ -3,7 +3,7 @@
 #![allow(non_snake_case)] // The paper's symbols are names here.
 #![allow(dead_code)] // Each test binary uses its own part.
 
-use crate::common::{TOLERANCE, worst_ratio};
+use crate::common::{TOLERANCE, within, worst_ratio};
 use ancf::equations::force::{self, Element, Matrix14};
 use ancf::equations::shape::{self, Nodes, Vector14};
 use ancf::equations::{material, strain};
@@ -23,7 +23,8 @@ pub fn cases(number: u32) -> ProptestConfig {
 #[track_caller]
 pub fn assert_within(what: &str, actual: &[f64], expected: &[f64], scale: &[f64]) {
     let ratio = worst_ratio(actual, expected, scale);
-    assert!(ratio <= TOLERANCE, "{what}: off by {ratio:.1e} of its scale; allowed {TOLERANCE:.1e}");
+    let close = within(TOLERANCE, actual, expected, scale);
+    assert!(close, "{what}: off by {ratio:.1e} of its scale; allowed {TOLERANCE:.1e}");
 }
 
 /// Places of the positions among the seven vectors of (4); the others are slopes.
