@@ -97,6 +97,12 @@ def acceleration(element):
     return column(element.mass.solve(load))
 
 
+def residual(element):
+    """M a + Q_e - Q_w for an acceleration a that does not solve (22): the numbers of edot, taken per second."""
+    forces = as_column(element.force(element.energy)) - as_column(element.gravity_force)
+    return column(element.mass * as_column(element.state.edot) + forces)
+
+
 @dataclass(frozen=True)
 class Quantity:
     """Description of one entry, and the function that reads its exact value."""
@@ -188,6 +194,7 @@ QUANTITIES = {
                               lambda at, k=k: at.form_hessian(k)) for k, name in enumerate("abc")},
     "22.eddot": Quantity("accelerations solving M eddot + Q_e = Q_w under gravity", (DOF,),
                          "m/s^2; slopes 1/s^2", acceleration),
+    "22.residual": Quantity("M a + Q_e - Q_w for the acceleration a = edot / (1 s)", (DOF,), NODAL_FORCE, residual),
     "gravity.Q_w": Quantity("derivative of the weight's work", (DOF,), NODAL_FORCE,
                             lambda el: el.gravity_force),
     "tangent.dQ_e": Quantity("second derivative of U", SQUARE, NODAL_STIFFNESS,

@@ -111,7 +111,7 @@ pub const CONTENTS: &[Entry] = &[
     entry("", "force::tangent_printed", "tangent.dQ_e/printed-shear", Form::Beyond),
     entry("", "inertia::Q_w_gravity", "gravity.Q_w", Form::Beyond),
     entry("22", "motion::acceleration", "22.eddot", Form::AsPrinted),
-    also("22", "motion::residual", "22.residual", "zero"),
+    entry("22", "motion::residual", "22.residual", Form::AsPrinted),
     entry("A.1", "shape::r_polynomial", "A.1.r", Form::AsPrinted),
     entry("A.2", "shape::nodal_conditions", "A.2.e", Form::AsPrinted),
     entry("A.3", "shape::coefficients", "A.3.coefficients", Form::Consistent),

@@ -55,9 +55,6 @@ impl Equations {
 impl Case<'_> {
     /// A quantity's numbers (nearest f64), row by row; for a point quantity one point after the other.
     pub fn value(&self, quantity: &str) -> Vec<f64> {
-        if quantity == "zero" {
-            return vec![0.0; 14];
-        }
         let value = &self.values[quantity]["f64"];
         assert!(!value.is_null(), "{}: the fixture has no {quantity}", self.id);
         let mut numbers = Vec::new();

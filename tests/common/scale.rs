@@ -148,7 +148,11 @@ pub fn scale(quantity: &str, case: &Case) -> Vec<f64> {
         "20.K" | "20.K/printed-shear" | "tangent.dQ_e" | "tangent.dQ_e/printed-shear" => {
             product(stiff * poisson * volume * scales.strain(), &D, &D)
         }
-        "19.Q_e" | "19.Q_e/printed-shear" | "zero" => (0..14).map(|i| poisson * scales.force(i)).collect(),
+        "19.Q_e" | "19.Q_e/printed-shear" => (0..14).map(|i| poisson * scales.force(i)).collect(),
+        // Inertia, elastic force and weight.
+        "22.residual" => {
+            (0..14).map(|i| poisson * scales.force(i) + s.rho * volume * N[i] * (sum(&s.edot) + gravity)).collect()
+        }
         // Forces through |M⁻¹|.
         "22.eddot" => {
             let M = nalgebra::DMatrix::from_row_slice(14, 14, &case.value("7.M"));
