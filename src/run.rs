@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use nalgebra::DVector;
 use serde::Serialize;
 
 use crate::error::Result;
@@ -67,7 +68,7 @@ pub fn run(scene: &Scene) -> Result<Run> {
     let structure = Structure::new(scene);
     let mut counts = Counts::default();
     let u = structure.start().clone();
-    let mut state = State { step: 0, t: 0.0, v: u.clone() * 0.0, u };
+    let mut state = State { step: 0, t: 0.0, v: DVector::zeros(structure.size()), u };
     let mut method = integrators::integrator(scene, &structure, &state, &mut counts)?;
     let mut recorder = Recorder::new(scene, &structure, &state, &mut counts)?;
 
@@ -75,7 +76,8 @@ pub fn run(scene: &Scene) -> Result<Run> {
     for step in 1..=scene.steps() {
         // Not a sum of steps: its rounding would grow.
         let t = step as f64 * scene.time.step;
-        let before = recorder.energy.as_ref().filter(|energy| energy.heated).map(|_| state.clone());
+        let heats = recorder.energy.is_some() && structure.thermal_strain(state.t) != structure.thermal_strain(t);
+        let before = heats.then(|| state.clone());
         method.step(&structure, &mut state, t, &mut counts)?;
         (state.step, state.t) = (step, t);
         counts.steps += 1;
@@ -124,24 +126,21 @@ struct Recorder<'a> {
 
 /// The energy that was there at the start and what has been put in since, J.
 struct Energy {
-    heated: bool,
     start: f64,
     input: f64,
 }
 
 impl Energy {
-    fn new(structure: &Structure, state: &State, scene: &Scene) -> Energy {
+    fn new(structure: &Structure, state: &State) -> Energy {
         let thermal = structure.thermal_strain(0.0);
         // Before a sudden start there is no strain energy; the heat that then appears puts in what is there at t = 0.
         let input = structure.strain_energy(&state.u, thermal);
-        Energy { heated: scene.heat().is_some(), start: 0.0 - structure.gravity().dot(&state.u), input }
+        Energy { start: 0.0 - structure.gravity().dot(&state.u), input }
     }
 
     fn heat(&mut self, structure: &Structure, before: &State, after: &State) {
         let (thermal_0, thermal_1) = (structure.thermal_strain(before.t), structure.thermal_strain(after.t));
-        if thermal_0 != thermal_1 {
-            self.input += structure.heating_work(&Ends { u_0: &before.u, u_1: &after.u, thermal_0, thermal_1 });
-        }
+        self.input += structure.heating_work(&Ends { u_0: &before.u, u_1: &after.u, thermal_0, thermal_1 });
     }
 
     /// Kinetic, strain and potential energy, input and balance.
@@ -161,7 +160,7 @@ impl<'a> Recorder<'a> {
             structure,
             trajectory: Trajectory { columns: scene.columns(), rows: Vec::new() },
             mass: accelerations.then(|| integrators::mass_factors(structure, counts)).transpose()?,
-            energy: scene.output.energy.then(|| Energy::new(structure, state, scene)),
+            energy: scene.output.energy.then(|| Energy::new(structure, state)),
         })
     }
 
