@@ -66,12 +66,12 @@ def coefficients(state, expressions):
     return rows
 
 
-def polynomial_position(at):
-    """Position from the polynomial (A.1) itself."""
+def from_polynomial(at, monomials):
+    """The polynomial (A.1), or its derivative, by its monomials."""
     place = dict(zip((field.x, field.y), map(to_sympy, at.point)))
-    monomials = [from_sympy(m.subs(place)) for m in field.MONOMIALS]
+    values = [from_sympy(m.subs(place)) for m in monomials]
     rows = coefficients(at.state, field.coefficients())
-    return [sum((m * row[i] for m, row in zip(monomials, rows)), ZERO) for i in PLANE]
+    return [sum((m * row[i] for m, row in zip(values, rows)), ZERO) for i in PLANE]
 
 
 def nodal_sum(at):
@@ -126,7 +126,9 @@ NODAL_FORCE = "N; slopes N m"
 NODAL_STIFFNESS = "N/m; slopes N, N m"
 
 QUANTITIES = {
-    "A.1.r": point("position from the polynomial", (2,), "m", polynomial_position),
+    "A.1.r": point("position from the polynomial", (2,), "m", lambda at: from_polynomial(at, field.MONOMIALS)),
+    **{f"A.1.r_{v}": point(f"the polynomial's derivative in {v}", (2,), "1",
+                           lambda at, v=v: from_polynomial(at, [m.diff(v) for m in field.MONOMIALS])) for v in "xy"},
     "A.2.e": Quantity("nodal conditions asked of the field", (DOF,), NODAL_LENGTH, nodal_coordinates),
     "A.3.coefficients": Quantity(
         "rows [a_k, b_k], k = 0 ... 6", (7, 2), "m^(1 - degree)",

@@ -157,6 +157,8 @@ pub fn evaluate(quantity: &str, state: &ElementState) -> Option<Vec<f64>> {
         "tangent.dQ_e/printed-shear" => Some(rows(&force::tangent_printed(&e, &eps_T, lambda, mu, &element))),
         "gravity.Q_w" => Some(rows(&Q_w())),
         "A.1.r" => at_points(&|x, y| rows(&shape::r_polynomial(x, y, &shape::coefficients(&nodes, l)))),
+        "A.1.r_x" => at_points(&|x, y| rows(&shape::r_polynomial_x(x, y, &shape::coefficients(&nodes, l)))),
+        "A.1.r_y" => at_points(&|x, y| rows(&shape::r_polynomial_y(x, y, &shape::coefficients(&nodes, l)))),
         "A.2.e" => Some(rows(&shape::e(&shape::nodal_conditions(&shape::coefficients(&nodes, l), l)))),
         "A.3.coefficients" => Some(shape::coefficients(&nodes, l).iter().flat_map(rows).collect()),
         "A.3.coefficients/printed" => Some(shape::coefficients_printed(&nodes, l).iter().flat_map(rows).collect()),

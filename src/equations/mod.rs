@@ -113,6 +113,8 @@ pub const CONTENTS: &[Entry] = &[
     entry("22", "motion::acceleration", "22.eddot", Form::AsPrinted),
     entry("22", "motion::residual", "22.residual", Form::AsPrinted),
     entry("A.1", "shape::r_polynomial", "A.1.r", Form::AsPrinted),
+    entry("", "shape::r_polynomial_x", "A.1.r_x", Form::Beyond),
+    entry("", "shape::r_polynomial_y", "A.1.r_y", Form::Beyond),
     entry("A.2", "shape::nodal_conditions", "A.2.e", Form::AsPrinted),
     entry("A.3", "shape::coefficients", "A.3.coefficients", Form::Consistent),
     entry("A.3", "shape::coefficients_printed", "A.3.coefficients/printed", Form::Printed),

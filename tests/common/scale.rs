@@ -104,15 +104,15 @@ pub fn scale(quantity: &str, case: &Case) -> Vec<f64> {
         // Read from e unchanged; (A.3) and (A.1) take terms apart and add them again.
         "4.nodes" => vec![1.0; 14],
         "A.3.coefficients" | "A.3.coefficients/printed" => halves(c),
-        "A.1.r" => points(vec![
-            c[0] + c[1] * l
-                + c[2] * h
-                + c[3] * l * h
-                + c[4] * l.powi(2)
-                + c[5] * l.powi(3)
-                + c[6] * l.powi(2) * h;
-            2
-        ]),
+        "A.1.r" => {
+            let axis = c[0] + c[1] * l + c[4] * l.powi(2) + c[5] * l.powi(3);
+            points(vec![axis + h * (c[2] + c[3] * l + c[6] * l.powi(2)); 2])
+        }
+        "A.1.r_x" => {
+            let axis = c[1] + 2.0 * c[4] * l + 3.0 * c[5] * l.powi(2);
+            points(vec![axis + h * (c[3] + 2.0 * c[6] * l); 2])
+        }
+        "A.1.r_y" => points(vec![c[2] + c[3] * l + c[6] * l.powi(2); 2]),
         "A.2.e" => {
             let r = c[0] + c[1] * l + c[4] * l.powi(2) + c[5] * l.powi(3);
             let r_x = c[1] + 2.0 * c[4] * l + 3.0 * c[5] * l.powi(2);
