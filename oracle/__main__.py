@@ -30,7 +30,11 @@ def derive(name):
 def compare(module, fresh):
     """Where the stored fixture differs from the derived one, as lines that name file and place."""
     try:
-        faults = module.differences(fixture.read(module.FILE), fresh)
+        stored = fixture.read(module.FILE)
+        seal = stored.pop("sha256", None)
+        faults = module.differences(stored, fresh)
+        if seal != fixture.digest(stored):
+            faults.append("sha256: not that of the content, which was edited by hand")
     except (OSError, ValueError) as error:
         faults = [f"cannot be read: {error}"]
     return [f"fixtures/{module.FILE}: {fault}" for fault in faults]

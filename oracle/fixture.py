@@ -1,5 +1,6 @@
 """Fixture files: exact numbers as text, their nearest f64, and a JSON layout a person can read."""
 
+import hashlib
 import json
 from pathlib import Path
 
@@ -53,9 +54,14 @@ def _indented(node, depth):
     return json.dumps(node, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
 
 
+def digest(document):
+    """What "sha256" holds in a stored fixture: it shows an edit that is smaller than a comparison's tolerance."""
+    return hashlib.sha256(render(document).encode()).hexdigest()
+
+
 def write(name, document):
-    """Writes a fixture whole or not at all; returns its size in bytes."""
-    text = render(document).encode()
+    """Writes a fixture with its digest, whole or not at all; returns its size in bytes."""
+    text = render({**document, "sha256": digest(document)}).encode()
     FOLDER.mkdir(exist_ok=True)
     unfinished = FOLDER / (name + ".unfinished")
     unfinished.write_bytes(text)

@@ -23,7 +23,7 @@ pub enum Error {
     },
     /// An explicit step is longer than the method's stability limit.
     #[error(
-        "`time.step` is {step:e} s, over the stability limit of {method}: at most {largest:.6e} s \
+        "`time.step` is {step:e}; allowed: at most {largest:.6e} s for the method \"{method}\" \
          (2 / largest frequency, {frequency:.6e} rad/s)"
     )]
     StepTooLarge {
@@ -53,13 +53,29 @@ pub enum Error {
     },
     /// A matrix that has to be inverted is singular.
     #[error(
-        "the iteration matrix is singular at t = {time} s (pivot {pivot}): a part of the structure is not held, or a step is far too large"
+        "the matrix is singular at t = {time} s, iteration {iteration} (pivot {pivot}): a part of the structure is not \
+         held, or a step is far too large"
     )]
     Singular {
         /// Time, s.
         time: f64,
+        /// Newton's iteration, 0 for the mass matrix.
+        iteration: usize,
         /// Index of the vanishing pivot in the structure's numbering.
         pivot: usize,
+    },
+    /// A structure's matrices would not fit into memory.
+    #[error(
+        "the scene has {unknowns} unknowns in a band of {band}, for which a matrix takes {gigabytes:.1} GB; allowed: \
+         2 GB, so fewer `elements`, or fewer rods at one point"
+    )]
+    TooLarge {
+        /// Number of unknowns.
+        unknowns: usize,
+        /// Half-width of the band.
+        band: usize,
+        /// Memory of one matrix, GB.
+        gigabytes: f64,
     },
     /// A quantity stopped being a finite number.
     #[error("{quantity} is no longer finite at t = {time} s, step {step}; a smaller `time.step` helps")]
@@ -117,7 +133,7 @@ impl Error {
     /// Exit code of the command line: 1 the run failed, 2 bad input.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Error::Scene { .. } | Error::StepTooLarge { .. } | Error::Read { .. } => 2,
+            Error::Scene { .. } | Error::StepTooLarge { .. } | Error::TooLarge { .. } | Error::Read { .. } => 2,
             _ => 1,
         }
     }

@@ -88,6 +88,7 @@
 //! [`motion::residual`]: equations::motion::residual
 //! [`motion::acceleration`]: equations::motion::acceleration
 
+pub mod counts;
 pub mod equations;
 pub mod error;
 pub mod integrators;

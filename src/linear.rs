@@ -31,6 +31,11 @@ impl BandMatrix {
         BandMatrix { size, band, entries: vec![0.0; size * (3 * band + 1)] }
     }
 
+    /// Memory that such a matrix takes, bytes.
+    pub fn bytes(size: usize, band: usize) -> usize {
+        size.saturating_mul(3 * band + 1).saturating_mul(size_of::<f64>())
+    }
+
     /// Number of rows.
     pub fn size(&self) -> usize {
         self.size

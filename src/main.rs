@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use ancf::error::{Error, Result};
-use ancf::report;
+use ancf::report::{self, Files};
 use ancf::run::run;
 use ancf::scene::{Scene, builtin_names, builtin_text};
 use ancf::study;
@@ -69,9 +69,11 @@ fn main() -> ExitCode {
 /// `ancf run`.
 fn run_scene(name: &str, folder: &Path) -> Result<()> {
     let scene = Scene::load(name)?;
+    // First, so that a folder that cannot be written is not found after the run.
+    let files = Files::in_folder(folder)?;
     let run = run(&scene)?;
-    let files = report::write_run(folder, &scene, &run)?;
-    let written: String = files.iter().map(|file| format!("wrote {}\n", file.display())).collect();
+    let paths = report::write_run(files, &scene, &run)?;
+    let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
     print(&(report::run_text(&scene, &run) + &written))
 }
 

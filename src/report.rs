@@ -6,7 +6,7 @@ mod files;
 mod summary;
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use crate::error::Result;
 use crate::run::{Run, Trajectory};
@@ -15,12 +15,11 @@ use crate::scene::{ENERGY_COLUMNS, Scene};
 pub use files::Files;
 pub use summary::write_summary;
 
-/// Writes `trajectory.csv` and `summary.json` of a run into `folder`, and returns their paths.
+/// Writes `trajectory.csv` and `summary.json` of a run, and returns their paths.
 ///
 /// # Errors
 /// [`Error::Write`](crate::error::Error::Write); neither file is there then.
-pub fn write_run(folder: &Path, scene: &Scene, run: &Run) -> Result<Vec<PathBuf>> {
-    let mut files = Files::in_folder(folder)?;
+pub fn write_run(mut files: Files, scene: &Scene, run: &Run) -> Result<Vec<PathBuf>> {
     files.write("trajectory.csv", |out| write_csv(out, &run.trajectory))?;
     files.write("summary.json", |out| write_summary(out, scene, run))?;
     files.publish()
@@ -58,7 +57,7 @@ pub fn run_text(scene: &Scene, run: &Run) -> String {
     lines.extend(final_values(run).map(|(name, value)| format!("  {name:width$} {value:14.6} {}", unit(name))));
     if let Some(value) = energy_imbalance(&run.trajectory) {
         lines.push(format!(
-            "energy balance kept to {value:.1e} J (which says nothing of the accuracy in time and space)"
+            "largest energy imbalance {value:.1e} J (a small one says nothing of the accuracy in time and space)"
         ));
     }
     lines.extend(run.warnings.iter().map(|warning| format!("warning: {warning}")));
@@ -97,7 +96,7 @@ fn unit(column: &str) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::Counts;
+    use crate::counts::Counts;
 
     /// Numbers whose shortest decimal form is easy to get wrong.
     pub(super) const AWKWARD: [f64; 6] = [0.1, -1.0 / 3.0, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0];
@@ -154,7 +153,7 @@ mod tests {
         assert!(all.contains("tip.x") && all.contains(" -0.333333 m\n"), "{all}");
         assert!(
             all.ends_with(
-                "kept to 3.0e-7 J (which says nothing of the accuracy in time and space)\nwarning: mind the gap\n"
+                "imbalance 3.0e-7 J (a small one says nothing of the accuracy in time and space)\nwarning: mind the gap\n"
             ),
             "{all}"
         );

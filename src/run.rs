@@ -3,31 +3,14 @@
 use std::time::Instant;
 
 use nalgebra::DVector;
-use serde::Serialize;
 
-use crate::error::Result;
+use crate::counts::Counts;
+use crate::error::{Error, Result};
 use crate::integrators::{self, State};
 use crate::kernel::Ends;
 use crate::linear::BandLu;
 use crate::scene::{Method, Quantity, Scene, Start};
 use crate::structure::Structure;
-
-/// How often each kind of work was done.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Counts {
-    /// Time steps.
-    pub steps: usize,
-    /// Newton iterations over all steps.
-    pub newton_iterations: usize,
-    /// Evaluations of the elastic forces of the whole structure.
-    pub force_calls: usize,
-    /// Evaluations of the tangent of the whole structure.
-    pub tangent_calls: usize,
-    /// LU factorisations.
-    pub factorizations: usize,
-    /// Solutions with given factors.
-    pub solves: usize,
-}
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -62,17 +45,19 @@ pub struct Run {
 /// Runs a scene.
 ///
 /// # Errors
-/// Those of its method: see [`integrators`].
+/// [`Error::Scene`] for a scene that is not valid; those of its method: see [`integrators`]; [`Error::NotFinite`] for a row that is
+/// no longer made of numbers.
 pub fn run(scene: &Scene) -> Result<Run> {
     let clock = Instant::now();
-    let structure = Structure::new(scene);
+    scene.validate("scene")?;
+    let structure = Structure::new(scene)?;
     let mut counts = Counts::default();
     let u = structure.start().clone();
     let mut state = State { step: 0, t: 0.0, v: DVector::zeros(structure.size()), u };
     let mut method = integrators::integrator(scene, &structure, &state, &mut counts)?;
     let mut recorder = Recorder::new(scene, &structure, &state, &mut counts)?;
 
-    recorder.record(&state, &mut counts);
+    recorder.record(&state, &mut counts)?;
     for step in 1..=scene.steps() {
         // Not a sum of steps: its rounding would grow.
         let t = step as f64 * scene.time.step;
@@ -85,7 +70,7 @@ pub fn run(scene: &Scene) -> Result<Run> {
             energy.heat(&structure, &before, &state);
         }
         if scene.is_row(step) {
-            recorder.record(&state, &mut counts);
+            recorder.record(&state, &mut counts)?;
         }
     }
     Ok(Run {
@@ -96,16 +81,24 @@ pub fn run(scene: &Scene) -> Result<Run> {
     })
 }
 
+/// Steps per crossing of an element by the axial wave below which a heat shock is badly resolved. Measured on the
+/// suddenly heated pendulum with four elements: a twentieth leaves errors of 0.1 mm before 0.5 s, a sixth of 1 mm.
+const STEPS_PER_CROSSING: f64 = 20.0;
+
 /// Doubts that the scene itself raises.
 fn warnings(scene: &Scene) -> Vec<String> {
-    let shock = scene.heat().is_some_and(|heat| heat.start == Start::Sudden && heat.at(0.0) != 0.0);
     let crossing = Structure::wave_crossing_time(scene);
-    // The explicit method's own stability limit is shorter.
-    let coarse = scene.time.method != Method::Explicit && scene.time.step > 0.5 * crossing;
-    if shock && coarse {
-        let step = scene.time.step;
+    let wave = crossing * scene.rods.iter().map(|rod| rod.elements).max().unwrap_or(1) as f64;
+    let shock = scene.heat().is_some_and(|heat| {
+        let sudden = heat.start == Start::Sudden && heat.at(0.0) != 0.0;
+        // Heat within the time that the wave takes along a rod is as good as sudden.
+        sudden || heat.history.windows(2).any(|pair| pair[1][1] != pair[0][1] && pair[1][0] - pair[0][0] < wave)
+    });
+    let step = scene.time.step;
+    // The explicit method's own stability limit is short enough.
+    if shock && scene.time.method != Method::Explicit && step * STEPS_PER_CROSSING > crossing {
         return vec![format!(
-            "the sudden heat starts an axial wave that crosses an element in {crossing:.1e} s, which the step of {step:e} s \
+            "sudden heat starts an axial wave that crosses an element in {crossing:.1e} s, which the step of {step:e} s \
              does not resolve: positions may be off by millimetres and more although the energy balance is kept; \
              compare with a smaller step, or use \"explicit\""
         )];
@@ -164,7 +157,7 @@ impl<'a> Recorder<'a> {
         })
     }
 
-    fn record(&mut self, state: &State, counts: &mut Counts) {
+    fn record(&mut self, state: &State, counts: &mut Counts) -> Result<()> {
         let a = self.mass.as_ref().map(|m| integrators::acceleration(self.structure, m, &state.u, state.t, counts));
         let mut row = vec![state.t];
         for probe in &self.scene.probes {
@@ -180,6 +173,10 @@ impl<'a> Recorder<'a> {
         if let Some(energy) = &self.energy {
             row.extend(energy.row(self.structure, state));
         }
+        if !row.iter().all(|value| value.is_finite()) {
+            return Err(Error::NotFinite { quantity: "the output", time: state.t, step: state.step });
+        }
         self.trajectory.rows.push(row);
+        Ok(())
     }
 }

@@ -5,6 +5,7 @@
 
 mod build;
 mod frequency;
+mod numbering;
 
 use std::collections::BTreeMap;
 

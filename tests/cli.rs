@@ -115,6 +115,38 @@ fn output_that_cannot_be_written_is_exit_code_1_and_leaves_nothing() {
     assert_eq!(entries(&folder.path().join("out")), ["summary.json"]);
 }
 
+/// Runs the changed `pendulum-2d` into a folder that holds an older result, and returns exit code and message.
+fn failing_run(time: Value) -> (Option<i32>, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let mut scene = serde_json::to_value(Scene::builtin("pendulum-2d").unwrap()).unwrap();
+    (scene["time"], scene["output"]) = (time, serde_json::json!({}));
+    fs::write(folder.path().join("mine.json"), scene.to_string()).unwrap();
+    fs::create_dir(folder.path().join("out")).unwrap();
+    fs::write(folder.path().join("out/summary.json"), "an older result").unwrap();
+    let output = ancf(folder.path(), &["run", "mine.json"]);
+    assert_eq!(entries(&folder.path().join("out")), ["summary.json"]);
+    assert_eq!(fs::read_to_string(folder.path().join("out/summary.json")).unwrap(), "an older result");
+    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+}
+
+#[test]
+fn newton_that_does_not_converge_is_exit_code_1_with_time_iterations_and_residual() {
+    let (code, message) = failing_run(serde_json::json!({"end": 1.0, "step": 0.01, "method": "generalized-alpha"}));
+    assert_eq!(code, Some(1), "{message}");
+    for part in ["at t = 0.", "residual", "after 30 iterations", "tolerance 1.0e-10"] {
+        assert!(message.contains(part), "no {part:?} in: {message}");
+    }
+}
+
+#[test]
+fn an_explicit_step_over_the_limit_is_exit_code_2_with_the_limit() {
+    let (code, message) = failing_run(serde_json::json!({"end": 1.0, "step": 1e-4, "method": "explicit"}));
+    assert_eq!(code, Some(2), "{message}");
+    for part in ["`time.step` is 1e-4", "allowed: at most 6.", "explicit"] {
+        assert!(message.contains(part), "no {part:?} in: {message}");
+    }
+}
+
 #[test]
 fn wrong_usage_is_exit_code_2() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,5 +1,7 @@
 //! Every function of `src/equations/` against the symbolic oracle, in every state, and proof that none is left out.
 
+#![allow(non_snake_case)] // The paper's symbols are names here.
+
 mod common;
 
 use std::collections::BTreeSet;
@@ -66,4 +68,22 @@ fn the_contents_and_the_source_name_the_same_functions() {
     }
     let in_contents: BTreeSet<String> = CONTENTS.iter().map(|entry| entry.function.to_string()).collect();
     assert_eq!(in_source, in_contents);
+}
+
+/// (9) for any J₀, which no straight unstretched element tests: a configuration is undeformed against itself.
+#[test]
+fn a_configuration_is_undeformed_against_itself() {
+    let mut deformed = 0;
+    for case in EQUATIONS.cases() {
+        let mut state = case.state.clone();
+        state.e0 = state.e;
+        let J_0 = evaluate("9.J_0", &state).unwrap();
+        let det = J_0[0] * J_0[3] - J_0[1] * J_0[2];
+        deformed += usize::from((det - 1.0).abs() > 0.1);
+        let size = J_0.iter().map(|j| j * j).sum::<f64>() / det.abs();
+        let J = evaluate("9.J", &state).unwrap();
+        let identity = [1.0, 0.0, 0.0, 1.0].repeat(state.points.len());
+        assert!(within(TOLERANCE, &J, &identity, &vec![size; J.len()]), "{}: {J:?}", case.id);
+    }
+    assert!(deformed >= 5, "hardly a state with another volume than at first");
 }

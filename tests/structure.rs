@@ -44,7 +44,7 @@ fn somewhere(structure: &Structure, size: f64) -> DVector<f64> {
 /// The tangent of two pinned rods is the derivative of their forces: a cubic in u, so five points are exact.
 #[test]
 fn the_assembled_tangent_is_a_derivative() {
-    let structure = Structure::new(&knee());
+    let structure = Structure::new(&knee()).unwrap();
     let (u, heat) = (somewhere(&structure, 0.1), [0.02, -0.01]);
     let force = |u: &DVector<f64>| {
         let mut sum = DVector::zeros(structure.size());
@@ -87,7 +87,7 @@ fn a_relaxed_free_rod_is_stress_free_at_any_inclination() {
         scene.supports.clear();
         scene.gravity = [0.0, 0.0];
         (scene.time.step, scene.time.end, scene.output.interval) = (1e-3, 0.1, None);
-        let structure = Structure::new(&scene);
+        let structure = Structure::new(&scene).unwrap();
         let u = structure.start();
         let [o, a] = ["o", "a"].map(|point| Vector2::from(structure.position(point, u)));
         let expected = (1.0f64 + 2.0 * 2.85e-5 * 200.0).sqrt();
@@ -115,7 +115,7 @@ fn a_relaxed_free_rod_is_stress_free_at_any_inclination() {
 fn place_and_direction_do_not_matter() {
     let tip = |scene: &mut Scene| {
         (scene.time.method, scene.time.step, scene.time.end) = (Method::EnergyMomentum, 5e-4, 0.25);
-        let structure = Structure::new(scene);
+        let structure = Structure::new(scene).unwrap();
         let start = Vector2::from(structure.position("a", &DVector::zeros(structure.size())));
         let rows = run(scene).unwrap().trajectory;
         let end = |name: &str| *rows.column(name).unwrap().last().unwrap();
@@ -142,7 +142,7 @@ fn the_frequency_bound_is_a_bound_and_close() {
         if !held {
             scene.supports = Vec::<Support>::new();
         }
-        let structure = Structure::new(&scene);
+        let structure = Structure::new(&scene).unwrap();
         let (mass, stiffness) =
             (dense(structure.mass()), dense(&structure.tangent(structure.start(), structure.thermal_strain(0.0))));
         let lower = mass.cholesky().unwrap().l();
@@ -153,11 +153,29 @@ fn the_frequency_bound_is_a_bound_and_close() {
     }
 }
 
+/// Heat makes a rod thicker and faster: an explicit step of 0.99 of the limit must bear heat that comes later, and the
+/// overshoot of a sudden one.
+#[test]
+fn the_limit_holds_when_the_rod_is_hot() {
+    for history in [vec![[0.0, 0.0], [0.05, 200.0]], vec![[0.0, 200.0]], vec![[0.0, 0.0], [0.05, 5000.0]]] {
+        let mut scene = Scene::builtin("pendulum-2d").unwrap();
+        scene.rods[0].elements = 2;
+        scene.time.method = Method::Explicit;
+        scene.temperature.as_mut().unwrap().history = history.clone();
+        let limit = 2.0 / Structure::new(&scene).unwrap().largest_frequency();
+        (scene.time.step, scene.time.end, scene.output.interval) = (0.99 * limit, 3000.0 * 0.99 * limit, None);
+        let rows = run(&scene).unwrap_or_else(|error| panic!("{history:?}: {error}")).trajectory;
+        let balance = rows.column("energy.balance").unwrap();
+        let kinetic = rows.column("energy.kinetic").unwrap().into_iter().fold(0.0, f64::max);
+        assert!(balance.iter().all(|b| b.abs() < 0.3 * kinetic), "{history:?}: it grows");
+    }
+}
+
 /// An explicit step just below the limit stays bounded; just above it is refused with the limit.
 #[test]
 fn explicit_steps_over_the_limit_are_refused() {
     let mut scene = Scene::builtin("pendulum-flexible").unwrap();
-    let limit = 2.0 / Structure::new(&scene).largest_frequency();
+    let limit = 2.0 / Structure::new(&scene).unwrap().largest_frequency();
     scene.time.method = Method::Explicit;
     scene.output.interval = None;
     let mut with_step = |step: f64| {
@@ -186,6 +204,54 @@ fn a_newton_failure_names_time_and_residual() {
     }
 }
 
+/// A load below the rounding error of the elastic forces still moves the structure: a steel wire in microgravity.
+#[test]
+fn a_small_load_is_not_rounded_away() {
+    let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+    scene.supports.clear();
+    (scene.material.youngs_modulus, scene.section.height, scene.section.width) = (2e11, 1e-3, 1e-3);
+    scene.gravity = [0.0, -1e-5];
+    (scene.time.step, scene.time.end, scene.output.interval) = (1e-2, 10.0, None);
+    for method in [Method::EnergyMomentum, Method::GeneralizedAlpha] {
+        scene.time.method = method;
+        let y = *run(&scene).unwrap().trajectory.column("tip.y").unwrap().last().unwrap();
+        assert!((y + 5e-4).abs() < 1e-9, "{method}: {y}");
+    }
+}
+
+/// Three long rods from one point: numbered outwards, their matrices have a narrow band.
+#[test]
+fn a_star_is_numbered_outwards() {
+    let mut scene = knee();
+    let mut third = scene.rods[1].clone();
+    (third.name, third.from, third.to) = ("third".into(), "a".into(), "c".into());
+    scene.points.insert("c".into(), [1.5, -2.0]);
+    scene.rods.push(third);
+    scene.rods.iter_mut().for_each(|rod| rod.elements = 2000);
+    let structure = Structure::new(&scene).unwrap();
+    let farthest = (0..60).filter(|k| structure.mass().get(30_000, 30_000 - k) != 0.0).max().unwrap();
+    assert!(structure.size() > 60_000 - 3 && farthest < 45, "an unknown is coupled with one {farthest} before it");
+}
+
+/// A scene changed in memory is validated like a file.
+#[test]
+fn a_scene_that_is_not_valid_is_refused() {
+    let mut scene = Scene::builtin("pendulum-2d").unwrap();
+    scene.rods[0].to = "nowhere".into();
+    assert!(matches!(run(&scene), Err(Error::Scene { key, .. }) if key.contains("rods[0].to")));
+}
+
+/// Numbers that overflow end in an error, never in a row.
+#[test]
+fn numbers_that_overflow_end_in_an_error() {
+    for method in [Method::EnergyMomentum, Method::GeneralizedAlpha] {
+        let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+        (scene.material.rho, scene.time.method) = (1e308, method);
+        let error = run(&scene).unwrap_err();
+        assert_eq!(error.exit_code(), 1, "{error}");
+    }
+}
+
 /// Rounding is no failure: with 32 short elements and displacements of two metres the residual cannot get below
 /// ε_mach EA |u|/l, and the iteration knows.
 #[test]
@@ -207,5 +273,6 @@ fn coarse_steps_under_a_heat_shock_are_warned_of() {
         run(&scene).unwrap().warnings
     };
     assert!(warnings("pendulum-2d", 1e-3)[0].contains("axial wave"));
-    assert!(warnings("pendulum-2d", 1e-4).is_empty() && warnings("pendulum-2d-relaxed", 1e-3).is_empty());
+    assert!(warnings("pendulum-2d", 2.5e-4)[0].contains("axial wave"));
+    assert!(warnings("pendulum-2d", 2.5e-5).is_empty() && warnings("pendulum-2d-relaxed", 1e-3).is_empty());
 }

@@ -8,10 +8,10 @@
 use nalgebra::DVector;
 
 use super::{Integrator, State};
+use crate::counts::Counts;
 use crate::error::Result;
 use crate::kernel::Ends;
-use crate::newton::{self, Equation, Residual};
-use crate::run::Counts;
+use crate::newton::{self, Equation, Residual, Step};
 use crate::structure::Structure;
 
 /// The method with its step and Newton's tolerance.
@@ -52,7 +52,7 @@ impl Integrator for EnergyMomentum {
             matrix
         };
         let mut du = v_0 * dt;
-        newton::solve(structure, self.tolerance, (state, t_1), Equation { residual, tangent }, &mut du, counts)?;
+        newton::solve(structure, self.tolerance, Step { u_0, t_1 }, Equation { residual, tangent }, &mut du, counts)?;
 
         state.v = &du * (2.0 / dt) - v_0;
         state.u += du;

@@ -6,9 +6,9 @@
 use nalgebra::DVector;
 
 use super::{Integrator, State, acceleration, mass_factors};
+use crate::counts::Counts;
 use crate::error::{Error, Result};
 use crate::linear::BandLu;
-use crate::run::Counts;
 use crate::scene::Method;
 use crate::structure::Structure;
 

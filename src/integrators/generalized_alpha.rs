@@ -10,9 +10,9 @@
 use nalgebra::DVector;
 
 use super::{Integrator, State, acceleration, mass_factors};
+use crate::counts::Counts;
 use crate::error::Result;
-use crate::newton::{self, Equation, Residual};
-use crate::run::Counts;
+use crate::newton::{self, Equation, Residual, Step};
 use crate::structure::Structure;
 
 /// The method with its parameters and the acceleration that it carries along.
@@ -89,7 +89,7 @@ impl Integrator for GeneralizedAlpha {
             matrix
         };
         let mut du = v_0 * dt;
-        newton::solve(structure, self.tolerance, (state, t_1), Equation { residual, tangent }, &mut du, counts)?;
+        newton::solve(structure, self.tolerance, Step { u_0, t_1 }, Equation { residual, tangent }, &mut du, counts)?;
 
         let a_1 = a_1(&du);
         state.v += a_0 * (dt * (1.0 - gamma)) + &a_1 * (dt * gamma);

@@ -6,9 +6,9 @@ mod generalized_alpha;
 
 use nalgebra::DVector;
 
+use crate::counts::Counts;
 use crate::error::{Error, Result};
 use crate::linear::{BandLu, SingularAt};
-use crate::run::Counts;
 use crate::scene::{Method, Scene};
 use crate::structure::Structure;
 
@@ -69,7 +69,7 @@ pub fn integrator(
 /// [`Error::Singular`].
 pub fn mass_factors(structure: &Structure, counts: &mut Counts) -> Result<BandLu> {
     counts.factorizations += 1;
-    structure.mass().clone().lu().map_err(|SingularAt(pivot)| Error::Singular { time: 0.0, pivot })
+    structure.mass().clone().lu().map_err(|SingularAt(pivot)| Error::Singular { time: 0.0, iteration: 0, pivot })
 }
 
 /// Acceleration from the equation of motion: q̈ = M⁻¹ (Q_w − Q_e).

@@ -5,7 +5,8 @@ use std::io::{self, Write};
 use serde::{Serialize, Serializer};
 
 use super::{energy_imbalance, final_time, final_values};
-use crate::run::{Counts, Run};
+use crate::counts::Counts;
+use crate::run::Run;
 use crate::scene::{Method, Scene};
 
 /// Writes the content of `summary.json`: the scene, what the run took, where the probes ended, and what is known of

@@ -54,7 +54,8 @@ impl Scene {
             Ok(text) => text.to_string(),
             Err(_) => read(name_or_path).map_err(|source| Error::Read { path: name_or_path.into(), source })?,
         };
-        Scene::parse(&text, name_or_path)
+        // Some editors put a byte order mark before the text.
+        Scene::parse(text.trim_start_matches('\u{feff}'), name_or_path)
     }
 }
 

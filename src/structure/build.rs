@@ -4,85 +4,86 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DVector, Vector2};
 
+use super::numbering::{NodalVector, Vectors, number};
 use super::{Heat, Kind, Place, RodElement, Structure};
 use crate::equations::force::Element;
-use crate::equations::shape::{self, Nodes};
+use crate::equations::shape::{self, Nodes, Vector14};
 use crate::equations::{inertia, material};
-use crate::kernel::Kernel;
+use crate::error::{Error, Result};
+use crate::kernel::{Kernel, ThermalStrain};
 use crate::linear::BandMatrix;
 use crate::scene::{Direction, Scene, Start};
 
-/// Hands out unknowns, one nodal vector after the other.
-#[derive(Default)]
-struct Numbering {
-    kinds: Vec<Kind>,
-}
-
-impl Numbering {
-    fn vector(&mut self, kind: Kind, held: [bool; 2]) -> [Option<usize>; 2] {
-        held.map(|held| {
-            (!held).then(|| {
-                self.kinds.push(kind);
-                self.kinds.len() - 1
-            })
-        })
-    }
-}
+/// More memory than this for one matrix, in bytes, is refused: a structure that needs it is not a few rods.
+const MOST_BYTES: usize = 2 << 30;
 
 impl Structure {
     /// Builds the structure of a (validated) scene.
-    pub fn new(scene: &Scene) -> Structure {
-        let (lambda, mu) = (
-            material::lambda(scene.material.youngs_modulus, scene.material.nu),
-            material::mu(scene.material.youngs_modulus, scene.material.nu),
-        );
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] where the matrices would not fit into memory.
+    pub fn new(scene: &Scene) -> Result<Structure> {
+        let (youngs_modulus, nu) = (scene.material.youngs_modulus, scene.material.nu);
+        let (lambda, mu) = (material::lambda(youngs_modulus, nu), material::mu(youngs_modulus, nu));
         let (h, w) = (scene.section.height, scene.section.width);
         let gravity = Vector2::from(scene.gravity);
 
-        let mut numbering = Numbering::default();
-        let mut points = BTreeMap::new();
-        let (mut rods, mut places) = (Vec::new(), Vec::new());
+        let (mut vectors, mut elements, mut at_point) = (Vec::new(), Vec::new(), BTreeMap::new());
+        let (mut rods, mut rod_of) = (Vec::new(), Vec::new());
         for (number, rod) in scene.rods.iter().enumerate() {
-            let (from, to) = (Vector2::from(scene.points[&rod.from]), Vector2::from(scene.points[&rod.to]));
-            let element = straight_element(from, (to - from) / rod.elements as f64, h, w);
+            let from = Vector2::from(scene.points[&rod.from]);
+            let along = Vector2::from(scene.points[&rod.to]) - from;
+            let element = straight_element(from, along / rod.elements as f64, h, w);
             let l = element.l;
-            let mut at_point = |name: &str, numbering: &mut Numbering| {
-                let new = || (scene.points[name], numbering.vector(Kind::Position, held(scene, name)));
-                points.entry(name.to_string()).or_insert_with(new).1
+            let mut new = |kind, held| {
+                vectors.push(NodalVector { kind, held });
+                vectors.len() - 1
+            };
+            let mut point = |name: &str, new: &mut dyn FnMut(Kind, [bool; 2]) -> usize| {
+                *at_point.entry(name.to_string()).or_insert_with(|| new(Kind::Position, held(scene, name)))
             };
             let free = [false; 2];
-            let mut r = at_point(&rod.from, &mut numbering);
-            let mut r_y = numbering.vector(Kind::Slope(h), free);
+            let mut r = point(&rod.from, &mut new);
+            let mut r_y = new(Kind::Slope(h), free);
             for n in 1..=rod.elements {
                 let (r_i, r_y_i) = (r, r_y);
-                let r_j = numbering.vector(Kind::Position, free);
-                let r_x_j = numbering.vector(Kind::Slope(l), free);
-                let r_y_j = numbering.vector(Kind::Slope(h), free);
-                r = if n == rod.elements {
-                    at_point(&rod.to, &mut numbering)
-                } else {
-                    numbering.vector(Kind::Position, free)
-                };
-                r_y = numbering.vector(Kind::Slope(h), free);
-                let vectors = [r_i, r_y_i, r_j, r_x_j, r_y_j, r, r_y];
-                places.push(Place { rod: number, unknowns: std::array::from_fn(|i| vectors[i / 2][i % 2]) });
+                let middle = [Kind::Position, Kind::Slope(l), Kind::Slope(h)];
+                let [r_j, r_x_j, r_y_j] = middle.map(|kind| new(kind, free));
+                r = if n == rod.elements { point(&rod.to, &mut new) } else { new(Kind::Position, free) };
+                r_y = new(Kind::Slope(h), free);
+                elements.push([r_i, r_y_i, r_j, r_x_j, r_y_j, r, r_y]);
+                rod_of.push(number);
             }
-            let direction = to - from;
             rods.push(RodElement {
                 element,
-                kernel: Kernel::new(l, h, w, direction.y.atan2(direction.x), lambda, mu),
+                kernel: Kernel::new(l, h, w, along.y.atan2(along.x), lambda, mu),
                 mass: inertia::M(scene.material.rho, &element),
                 gravity: inertia::Q_w_gravity(&gravity, scene.material.rho, &element),
             });
         }
 
-        let size = numbering.kinds.len();
+        let (unknowns, kinds) = number(&vectors, &elements);
+        let place = |(vectors, rod): (&Vectors, usize)| Place {
+            rod,
+            unknowns: std::array::from_fn(|i| unknowns[vectors[i / 2]][i % 2]),
+        };
+        let places: Vec<Place> = elements.iter().zip(rod_of).map(place).collect();
+        let size = kinds.len();
         let band = places.iter().map(|place| spread(&place.unknowns)).max().unwrap_or(0);
+        let bytes = BandMatrix::bytes(size, band);
+        if bytes > MOST_BYTES {
+            return Err(Error::TooLarge { unknowns: size, band, gigabytes: bytes as f64 / 1e9 });
+        }
         let lengths = || rods.iter().map(|rod: &RodElement| rod.element.l);
-        let longest = lengths().fold(0.0, f64::max);
         let mut structure = Structure {
-            kinds: numbering.kinds,
-            points,
+            points: at_point
+                .into_iter()
+                .map(|(name, vector)| {
+                    let start = scene.points[&name];
+                    (name, (start, unknowns[vector]))
+                })
+                .collect(),
+            kinds,
             band,
             mass: BandMatrix::zeros(size, band),
             gravity: DVector::zeros(size),
@@ -90,25 +91,23 @@ impl Structure {
             heat: scene
                 .heat()
                 .map(|temperature| Heat { temperature: temperature.clone(), alpha: scene.material.alpha }),
-            unit_force: (lambda + 2.0 * mu) * h * w * (longest / h).max(1.0),
+            unit_force: (lambda + 2.0 * mu) * h * w * (lengths().fold(0.0, f64::max) / h).max(1.0),
             shortest: lengths().fold(f64::INFINITY, f64::min),
             rods,
             places,
         };
         structure.mass = structure.assemble_matrix(|_, rod| rod.mass);
         structure.gravity = structure.assemble_vector(|_, rod| rod.gravity);
-        if let Some(Heat { temperature, .. }) = &structure.heat
-            && temperature.start == Start::Relaxed
-        {
+        if structure.heat.as_ref().is_some_and(|heat| heat.temperature.start == Start::Relaxed) {
             structure.start = structure.relaxed(scene);
         }
-        structure
+        Ok(structure)
     }
 
     /// Displacement from the initial to the stress-free configuration at ΔT(0): a stretch √(1 + 2ε) in each heated
     /// direction, about the supported point (or the beginning of the rod).
     fn relaxed(&self, scene: &Scene) -> DVector<f64> {
-        let [along, across] = self.thermal_strain(0.0).map(|eps| (1.0 + 2.0 * eps).sqrt() - 1.0);
+        let stretch = stress_free(self.thermal_strain(0.0));
         let mut u = DVector::zeros(self.size());
         let mut first = 0;
         for (rod, data) in scene.rods.iter().zip(&self.rods) {
@@ -117,17 +116,7 @@ impl Structure {
             let direction = Vector2::from(scene.points[&rod.to]) - from;
             for n in 0..rod.elements {
                 let origin = from - about + direction * (n as f64 / rod.elements as f64);
-                let e_0 = shape::nodes(&data.element.e_0);
-                let position = |r: Vector2<f64>| along * (origin + r - e_0.r_i);
-                let u_e = shape::e(&Nodes {
-                    r_i: position(e_0.r_i),
-                    r_y_i: across * e_0.r_y_i,
-                    r_j: position(e_0.r_j),
-                    r_x_j: along * e_0.r_x_j,
-                    r_y_j: across * e_0.r_y_j,
-                    r_k: position(e_0.r_k),
-                    r_y_k: across * e_0.r_y_k,
-                });
+                let u_e = stretched(&data.element, stretch, origin);
                 for (unknown, value) in self.places[first + n].unknowns.iter().zip(&u_e) {
                     if let Some(unknown) = *unknown {
                         u[unknown] = *value;
@@ -155,6 +144,26 @@ fn straight_element(from: Vector2<f64>, along: Vector2<f64>, h: f64, w: f64) -> 
         r_y_k: n,
     });
     Element { l, h, w, e_0 }
+}
+
+/// Stretches less 1 (along, across) at which a thermal strain makes no stress: √(1 + 2ε) − 1.
+pub(super) fn stress_free(thermal: ThermalStrain) -> [f64; 2] {
+    thermal.map(|strain| (1.0 + 2.0 * strain).sqrt() - 1.0)
+}
+
+/// Displacement of an element under the stretches 1 + `along`, 1 + `across`, its node i at `origin` from the fixed point.
+pub(super) fn stretched(element: &Element, [along, across]: [f64; 2], origin: Vector2<f64>) -> Vector14 {
+    let e_0 = shape::nodes(&element.e_0);
+    let position = |r: Vector2<f64>| along * (origin + r - e_0.r_i);
+    shape::e(&Nodes {
+        r_i: position(e_0.r_i),
+        r_y_i: across * e_0.r_y_i,
+        r_j: position(e_0.r_j),
+        r_x_j: along * e_0.r_x_j,
+        r_y_j: across * e_0.r_y_j,
+        r_k: position(e_0.r_k),
+        r_y_k: across * e_0.r_y_k,
+    })
 }
 
 /// Which components of a point the scene's supports hold.

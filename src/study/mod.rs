@@ -29,6 +29,8 @@ struct Report {
 /// [`Error::Comparison`] when a run misses the oracle: the files are written all the same. Those of the runs themselves.
 pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let clock = Instant::now();
+    // First, so that a folder that cannot be written is not found after the work.
+    let mut files = Files::in_folder(out)?;
     let oracle = oracle::load()?;
     print("Peng et al. (2018), Section 3: the heated pendulum of Table 1\n\n")?;
 
@@ -38,7 +40,6 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     print(&table::tips(&models, &oracle))?;
     print(&table::differences(&models))?;
 
-    let mut files = Files::in_folder(out)?;
     for (name, svg) in pendulum::pictures(&models, &oracle.rigid)? {
         files.write(name, |file| file.write_all(svg.as_bytes()))?;
     }

@@ -42,7 +42,7 @@ pub fn oracle(rows: &[Row]) -> String {
 pub fn tips(models: &[Model], oracle: &Oracle) -> String {
     let mut lines = Lines(format!(
         "2. Tip position, m: {ELEMENTS} elements, explicit, step {STEP:.0e} s. Behind it what twice the step and half the\n   \
-         elements change, and the oracle's position with four elements where it has one.\n"
+         elements change, and the oracle's position with four elements where it has one (its distance is the mesh's).\n"
     ));
     for model in models {
         lines.push(format_args!(
@@ -61,7 +61,7 @@ pub fn tips(models: &[Model], oracle: &Oracle) -> String {
 }
 
 fn oracle_at(oracle: &Oracle, model: &Model, t: f64) -> Option<[f64; 2]> {
-    let run = oracle.runs.iter().find(|run| run.scene() == model.scene && run.elements == 4)?;
+    let run = oracle.runs.iter().find(|run| run.scene() == Some(model.scene) && run.elements == 4)?;
     let sample = run.t.iter().position(|sample| (sample - t).abs() < 1e-9)?;
     Some(run.tip[sample])
 }
