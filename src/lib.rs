@@ -22,6 +22,10 @@
 //! temperature ΔT. A point of an element has coordinates x along the axis and y across it. The 14 nodal coordinates are
 //! e = \[rⁱ r_yⁱ rʲ r_xʲ r_yʲ rᵏ r_yᵏ\], (4).
 //!
+//! **Checking another implementation.** `fixtures/equations.json` has 32 element states and the exact value of every quantity of
+//! [`equations::CONTENTS`] for each; [`state::ElementState`] reads a state, [`state::evaluate`] gives our value.
+//! `fixtures/pendulum.json` has the pendulum's motion.
+//!
 //! **Units and signs.** SI throughout. Strains are Green–Lagrange, stresses second Piola–Kirchhoff, both in global axes
 //! in [`equations`]; tension is positive. Q_e is ∂U/∂e, the force *on the left* of M ë + Q_e = Q_w, (22).
 //!
@@ -44,7 +48,7 @@
 //! | (13) | [`strain::eps_1`], [`strain::eps_2`], [`strain::eps_3`] | | (A.4), (A.5) | [`shape::r_nodal`], [`shape::S`] |
 //!
 //! **Features.** `cli` (on by default) adds the command line, the pictures and the main job; the library does without:
-//! `ancf = { version = "0.1", default-features = false }`.
+//! `ancf = { path = "…", default-features = false }`.
 //!
 //! [`shape::r`]: equations::shape::r
 //! [`shape::S`]: equations::shape::S
@@ -87,6 +91,9 @@
 //! [`force::S_1`]: equations::force::S_1
 //! [`motion::residual`]: equations::motion::residual
 //! [`motion::acceleration`]: equations::motion::acceleration
+
+/// The matrices and vectors of [`equations`] are its types.
+pub use nalgebra;
 
 pub mod counts;
 pub mod equations;

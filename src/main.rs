@@ -13,7 +13,7 @@ use clap::{Parser, Subcommand};
 
 /// Planar thermo-elastic ANCF beam (Peng et al. 2018).
 ///
-/// Without a command: the paper's pendulum in its three models, compared with the embedded references.
+/// Without a command: the paper's pendulum in all its models, compared with the embedded oracle.
 #[derive(Parser)]
 #[command(version, args_conflicts_with_subcommands = true)]
 struct Cli {

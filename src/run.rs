@@ -99,7 +99,7 @@ fn warnings(scene: &Scene) -> Vec<String> {
     if shock && scene.time.method != Method::Explicit && step * STEPS_PER_CROSSING > crossing {
         return vec![format!(
             "sudden heat starts an axial wave that crosses an element in {crossing:.1e} s, which the step of {step:e} s \
-             does not resolve: positions may be off by millimetres and more although the energy balance is kept; \
+             does not resolve: positions may be off by millimetres and more, which no energy balance shows; \
              compare with a smaller step, or use \"explicit\""
         )];
     }

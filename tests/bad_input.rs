@@ -135,7 +135,7 @@ refused! {
     too_many_steps: r#""step": 1e-3"# => r#""step": 1e-12"#; 11, "`time.step` is 1e-12"; "at least 2.000000000e-12 s"
     zero_end: r#""end": 0.002"# => r#""end": 0"#; 11, "`time.end` is 0"; "over 0"
     end_not_a_whole_number_of_steps: r#""end": 0.002"# => r#""end": 0.0025"#; 11, "`time.end` is 0.0025"; "a whole number of steps of `time.step` = 0.001 s, not 2.500000"
-    end_before_the_first_step: r#""end": 0.002"# => r#""end": 0.0004"#; 11, "`time.end` is 0.0004"; "a step of 4.000000000e-4 s would fit"
+    end_before_the_first_step: r#""end": 0.002"# => r#""end": 0.0004"#; 11, "`time.end` is 0.0004"; "a step of 4.000000000e-4 s divides it"
     interval_not_a_whole_number_of_steps: r#""interval": 0.002"# => r#""interval": 0.0015"#; 12, "`output.interval` is 0.0015"; "a whole number of steps"
     negative_interval: r#""interval": 0.002"# => r#""interval": -0.002"#; 12, "`output.interval` is -0.002"; "over 0"
     rho_inf_over_one: "0.8" => "1.1"; 11, "`time.rho_inf` is 1.1"; "from 0 to 1"

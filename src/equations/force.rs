@@ -86,7 +86,7 @@ pub fn S_1(S: &Matrix14) -> Matrix14 {
     S.transpose() + S
 }
 
-/// (21) K₁ = ¼ ∫_V \[S_a1 (eᵀS_a e − 1 − 2ε_T1) + S_b1 (eᵀS_b e − 1 − 2ε_T2)\] dV, m³.
+/// (21) K₁ = ¼ ∫_V \[S_a1 (eᵀS_a e − 1 − 2ε_T1) + S_b1 (eᵀS_b e − 1 − 2ε_T2)\] dV; m for positions, m² and m³ for slopes.
 ///
 /// The paper's α_T ΔT is ε_T1 = ε_T2 of (8); ε_T stands here so that the 1D model fits too.
 pub fn K_1(e: &Vector14, eps_T: &Vector3<f64>, element: &Element) -> Matrix14 {
@@ -99,7 +99,7 @@ pub fn K_1(e: &Vector14, eps_T: &Vector3<f64>, element: &Element) -> Matrix14 {
     K_1
 }
 
-/// (21) K₂ = ¼ ∫_V \[S_a1 (eᵀS_b e − 1 − 2ε_T2) + S_b1 (eᵀS_a e − 1 − 2ε_T1)\] dV, m³.
+/// (21) K₂ = ¼ ∫_V \[S_a1 (eᵀS_b e − 1 − 2ε_T2) + S_b1 (eᵀS_a e − 1 − 2ε_T1)\] dV; m for positions, m² and m³ for slopes.
 pub fn K_2(e: &Vector14, eps_T: &Vector3<f64>, element: &Element) -> Matrix14 {
     let mut K_2 = Matrix14::zeros();
     for Station { S_a, S_b, dV, .. } in stations(element) {
@@ -110,7 +110,7 @@ pub fn K_2(e: &Vector14, eps_T: &Vector3<f64>, element: &Element) -> Matrix14 {
     K_2
 }
 
-/// (21) K₃, **consistent**: K₃ = ¼ ∫_V S_c1 (eᵀS_c e − 2ε_T3) dV, m³.
+/// (21) K₃, **consistent**: K₃ = ¼ ∫_V S_c1 (eᵀS_c e − 2ε_T3) dV; m for positions, m² and m³ for slopes.
 ///
 /// No "− 1" (E2): ε₃ of (13) has none, and with it the undeformed element would not be in equilibrium. ε_T3 is zero in
 /// (8) and α_T ΔT sin θ cos θ in the 1D model.

@@ -154,7 +154,7 @@ fn whole(key: &str, duration: f64, step: f64) -> Check {
     let holds = count > 0.5 && (count - count.round()).abs() <= (WHOLE.0 * count).min(WHOLE.1);
     let fitting = duration / count.ceil().max(1.0);
     let allowed = format_args!(
-        "a whole number of steps of `time.step` = {step:?} s, not {count:.6}; a step of {fitting:.9e} s would fit"
+        "a whole number of steps of `time.step` = {step:?} s, not {count:.6}; a step of {fitting:.9e} s divides it"
     );
     require(holds, key, format_args!("{duration:?}"), allowed)
 }

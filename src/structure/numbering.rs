@@ -15,10 +15,17 @@ pub(super) type Vectors = [usize; 7];
 
 /// Unknowns of the components of each nodal vector, and what each unknown measures.
 pub(super) fn number(vectors: &[NodalVector], elements: &[Vectors]) -> (Vec<[Option<usize>; 2]>, Vec<Kind>) {
+    let mut meeting = vec![Vec::new(); vectors.len()];
+    for (element, its) in elements.iter().enumerate() {
+        its.iter().for_each(|&vector| meeting[vector].push(element));
+    }
     let mut unknowns = vec![None; vectors.len()];
     let mut kinds = Vec::new();
-    for element in outwards(vectors.len(), elements) {
-        for &vector in &elements[element] {
+    for element in outwards(elements, &meeting) {
+        let mut its = elements[element];
+        // What it shares with the next elements comes last, nearest to them.
+        its.sort_by_key(|&vector| meeting[vector].len());
+        for vector in its {
             unknowns[vector].get_or_insert_with(|| {
                 vectors[vector].held.map(|held| {
                     (!held).then(|| {
@@ -34,18 +41,14 @@ pub(super) fn number(vectors: &[NodalVector], elements: &[Vectors]) -> (Vec<[Opt
 
 /// The elements in the order of their distance from one at the structure's edge (Cuthill and McKee 1969): the band is
 /// then as wide as the structure is across, however long it is.
-fn outwards(vectors: usize, elements: &[Vectors]) -> Vec<usize> {
-    let mut meeting = vec![Vec::new(); vectors];
-    for (element, its) in elements.iter().enumerate() {
-        its.iter().for_each(|&vector| meeting[vector].push(element));
-    }
+fn outwards(elements: &[Vectors], meeting: &[Vec<usize>]) -> Vec<usize> {
     let mut order = Vec::new();
     let mut done = vec![false; elements.len()];
     for first in 0..elements.len() {
         if !done[first] {
-            let any = outwards_from(first, elements, &meeting, &mut done.clone());
+            let any = outwards_from(first, elements, meeting, &mut done.clone());
             let edge = any.last().copied().unwrap_or(first);
-            order.extend(outwards_from(edge, elements, &meeting, &mut done));
+            order.extend(outwards_from(edge, elements, meeting, &mut done));
         }
     }
     order

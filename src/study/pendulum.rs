@@ -171,7 +171,10 @@ pub fn pictures(models: &[Model], rigid: &Rigid) -> Result<Vec<(&'static str, St
     Ok(vec![
         (
             "figure3.svg",
-            svg("Figure 3: displacement of point A, heated suddenly by 200 K", &[displacement(0), displacement(1)])?,
+            svg(
+                "Figure 3: displacement of the tip A; 1D and 2D heated suddenly by 200 K",
+                &[displacement(0), displacement(1)],
+            )?,
         ),
         ("figure4.svg", four("Figure 4: difference from the flexible model, heated suddenly", [sudden_1d, sudden_2d])?),
         (
