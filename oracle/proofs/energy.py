@@ -46,7 +46,7 @@ def printed_K_3_loads_an_undeformed_element():
 
     assert work(diff((C_12 / 2) ** 2 / 2, step)) == 0
     assert work(diff(C_12, step) * (C_12 - 1) / 4) == -l * h * w / 2
-    return "E2: K_3 as printed does the work -l h w/2 in a unit shear of an undeformed element"
+    return "E2: K_3 as printed does the work -l h w/2 in the shear epsilon_12 = 1 of an undeformed element"
 
 
 def printed_shear_depends_on_the_frame():
