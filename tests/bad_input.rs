@@ -102,6 +102,8 @@ refused! {
     number_for_a_switch: r#""energy": true"# => r#""energy": 1"#; 12, "`output.energy` is 1"; "a boolean"
     fraction_for_a_count: r#""elements": 2"# => r#""elements": 2.5"#; 7, "`rods[0].elements` is 2.5"; "a whole number"
     negative_count: r#""elements": 2"# => r#""elements": -2"#; 7, "`rods[0].elements` is -2"; "a whole number, not negative"
+    list_for_the_points: r#"{"o": [0.0, 0.0], "apex": [0.5, 0.0]}"# => "[[0.0, 0.0], [0.5, 0.0]]"; 6, "`points` is [[0.0, 0.0], [0.5, 0.0]]"; "an object, {\"name\": [x, y], …}"
+    key_that_begins_like_another: r#""o": [0.0, 0.0], "apex": [0.5, 0.0]"# => r#""ap": [0.0, 0.0], "apex": [0.5, "x"]"#; 6, "`points.apex[1]` is \"x\""; "a number"
     point_with_one_coordinate: "[0.5, 0.0]" => "[0.5]"; 6, "`points.apex` is [0.5]"; "two numbers"
     point_with_three_coordinates: "[0.5, 0.0]" => "[0.5, 0.0, 0.0]"; 6, "`points.apex` is [0.5, 0.0, 0.0]"; "two numbers"
     unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`; nearest: `"
@@ -126,6 +128,7 @@ refused! {
     zero_height: r#""height": 0.02"# => r#""height": 0"#; 5, "`section.height` is 0"; "over 0"
     negative_width: r#""width": 0.03"# => r#""width": -0.03"#; 5, "`section.width` is -0.03"; "over 0"
     cold_beyond_the_strain_measure: "[1.0, 25.0]" => "[1.0, -20000.0]"; 10, "`temperature.history[1][1]` is -20000.0"; "dT over -2.000000e4 K, where 1 + 2 alpha dT stays positive"
+    heat_beyond_the_strain_measure: r#""alpha": 2.5e-5"# => r#""alpha": -0.025"#; 10, "`temperature.history[0][1]` is 20.0"; "dT under 2.000000e1 K, where 1 + 2 alpha dT stays positive"
     history_backwards: "[1.0, 25.0]" => "[0.0, 25.0]"; 10, "`temperature.history[1][0]` is 0.0"; "a time after the 0.0 s before it"
     empty_history: "[[0.0, 20.0], [1.0, 25.0]]" => "[]"; 10, "`temperature.history` is []"; "at least one pair [t, dT]"
     relaxed_start_of_a_rod_held_twice: r#"[{"point": "o", "fix": ["x"]}]"# => r#"[{"point": "o", "fix": ["x"]}, {"point": "apex", "fix": ["x"]}]"#; 10, "`temperature.start` is \"relaxed\""; "points held 2"
@@ -134,7 +137,7 @@ refused! {
     negative_step: r#""step": 1e-3"# => r#""step": -1e-3"#; 11, "`time.step` is -1e-3"; "over 0"
     too_many_steps: r#""step": 1e-3"# => r#""step": 1e-12"#; 11, "`time.step` is 1e-12"; "at least 2.000000000e-12 s"
     zero_end: r#""end": 0.002"# => r#""end": 0"#; 11, "`time.end` is 0"; "over 0"
-    end_not_a_whole_number_of_steps: r#""end": 0.002"# => r#""end": 0.0025"#; 11, "`time.end` is 0.0025"; "a whole number of steps of `time.step` = 0.001 s, not 2.500000"
+    end_not_a_whole_number_of_steps: r#""end": 0.002"# => r#""end": 0.0025"#; 11, "`time.end` is 0.0025"; "a whole number of steps of `time.step` = 0.001 s, not 2.500000; a step of 8.333333333e-4 s divides it"
     end_before_the_first_step: r#""end": 0.002"# => r#""end": 0.0004"#; 11, "`time.end` is 0.0004"; "a step of 4.000000000e-4 s divides it"
     interval_not_a_whole_number_of_steps: r#""interval": 0.002"# => r#""interval": 0.0015"#; 12, "`output.interval` is 0.0015"; "a whole number of steps"
     negative_interval: r#""interval": 0.002"# => r#""interval": -0.002"#; 12, "`output.interval` is -0.002"; "over 0"
@@ -149,7 +152,7 @@ refused! {
     unknown_point_of_a_rod: r#""to": "apex""# => r#""to": "apx""#; 7, "`rods[0].to` is \"apx\""; "nearest: `apex`"
     unknown_point_of_a_support: r#""point": "o""# => r#""point": "0""#; 8, "`supports[0].point` is \"0\""; "the name of a point in `points`"
     unknown_point_of_a_probe: r#""point": "apex""# => r#""point": "tip""#; 13, "`probes[0].point` is \"tip\""; "the name of a point in `points`"
-    zero_length_rod: "[0.5, 0.0]" => "[0.0, 0.0]"; 7, "`rods[0].to` is \"apex\""; "a point further from `o` than 1e-9 of their coordinates; the rod's length is 0.0 m"
+    zero_length_rod: r#"{"o": [0.0, 0.0], "apex": [0.5, 0.0]}"# => r#"{"o": [3.0, 4.0], "apex": [3.0, 4.0]}"#; 7, "`rods[0].to` is \"apex\""; "a point further from `o` than 1e-9 of their coordinates; the rod's length is 0.0 m"
     rod_to_its_own_start: r#""to": "apex""# => r#""to": "o""#; 7, "`rods[0].to` is \"o\""; "another point than `from`"
     no_elements: r#""elements": 2"# => r#""elements": 0"#; 7, "`rods[0].elements` is 0"; "a whole number from 1 to 100000"
     too_many_elements: r#""elements": 2"# => r#""elements": 100001"#; 7, "`rods[0].elements` is 100001"; "a whole number from 1 to 100000"
@@ -217,6 +220,7 @@ fn file_that_is_not_text() {
 
 #[test]
 fn file_that_is_too_large() {
+    refused_text(&vec![b' '; 16 << 20], &["cut off"]);
     refused_text(&vec![b' '; (16 << 20) + 1], &["cannot read", "larger than 16777216 bytes"]);
 }
 

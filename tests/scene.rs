@@ -54,6 +54,15 @@ fn model_none_heats_nothing_and_needs_neither_alpha_nor_history() {
     }
 }
 
+/// 1 + 2αΔT = 0.005: cold, but positive.
+#[test]
+fn cold_is_allowed_down_to_the_limit_of_the_strain_measure() {
+    let mut scene = Scene::builtin("pendulum-2d").unwrap();
+    scene.material.alpha = 2.5e-5;
+    scene.temperature.as_mut().unwrap().history = vec![[0.0, -19_900.0]];
+    scene.validate("cold").unwrap();
+}
+
 #[test]
 fn keys_may_come_in_any_order_and_numbers_in_any_form() {
     let text = r#"{"time": {"step": 25E-2, "end": 5e-1}, "rods": [{"to": "b", "elements": 1, "from": "a", "name": "r"}],
