@@ -82,7 +82,8 @@ pub fn run(scene: &Scene) -> Result<Run> {
 }
 
 /// Steps per crossing of an element by the axial wave below which a heat shock is badly resolved. Measured on the
-/// suddenly heated pendulum with four elements: a twentieth leaves errors of 0.1 mm before 0.5 s, a sixth of 1 mm.
+/// suddenly heated pendulum (2D) with four elements against the oracle, 0–0.5 s, by both implicit methods: six steps leave
+/// 1.1 to 1.5 mm, sixteen 0.2 to 0.3 mm, thirty-one 0.2 mm.
 const STEPS_PER_CROSSING: f64 = 20.0;
 
 /// Doubts that the scene itself raises.
