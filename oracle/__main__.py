@@ -1,4 +1,4 @@
-"""`python -m oracle [equations|pendulum|proofs] [--check]`: prove, then write or compare fixtures."""
+"""`python -m oracle [FIXTURE|proofs] [--check]`: prove, then write or compare the fixtures, or one."""
 
 import argparse
 import sys
@@ -9,7 +9,7 @@ from importlib import import_module
 from . import fixture
 from .proofs import PROOFS
 
-FIXTURES = ("equations", "pendulum")
+FIXTURES = ("equations", "pendulum", "structure")
 SHOWN = 10
 
 

@@ -103,3 +103,15 @@ def differences(stored, fresh, path=""):
             lines += differences(a, b, f"{path}[{label}]")
         return lines
     return [] if stored == fresh else [f"{path}: stored {stored!r:.80}, derived {fresh!r:.80}"]
+
+
+def settled(stored, fresh, tolerance):
+    """The stored value, with numbers within the tolerance replaced; a table of tolerances goes by key."""
+    if type(stored) is dict and type(fresh) is dict:
+        by_key = tolerance if type(tolerance) is dict else dict.fromkeys(fresh, tolerance)
+        shared = by_key.keys() & stored.keys() & fresh.keys()
+        return stored | {key: settled(stored[key], fresh[key], by_key[key]) for key in shared}
+    if type(stored) is list and type(fresh) is list and len(stored) == len(fresh):
+        return [settled(*pair, tolerance) for pair in zip(stored, fresh)]
+    close = type(stored) is float and type(fresh) is float and abs(stored - fresh) <= tolerance
+    return fresh if close else stored

@@ -16,20 +16,18 @@ stored, and extrapolated Verlet steps (fixed step, order 16). Their distance is 
 show in addition that force, energy and mass belong together; they would not show a trajectory to be accurate.
 """
 
-import os
 import platform
 from concurrent.futures import ProcessPoolExecutor
-from math import prod, sqrt
-
-# The matrices are small: threads would cost more than they bring. Has to be said before numpy is loaded.
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+from math import sqrt
 
 import mpmath
 import numpy as np
 import scipy
 import sympy
 
-from . import field, fixture, rigid
+from . import fixture, integrate, rigid
+from .beam import HEATED_DIRECTIONS, Beam, by_components, stress_and_energy
+from .fixture import settled
 
 FILE = "pendulum.json"
 WORKERS = 2
@@ -44,23 +42,15 @@ TABLE_1 = {
 CASES = [("none", None, n) for n in (1, 2, 4)] + [
     (model, start, n) for model in ("1d", "2d") for start in ("sudden", "relaxed") for n in (2, 4)
 ]
-# Along x, which is the rod's initial axis, and across.
-HEATED_DIRECTIONS = {"none": (0, 0), "1d": (1, 0), "2d": (1, 1)}
+
+RTOL = 1e-11
 
 INTERVALS = 10
 INTERVAL = 0.05
 
-# The integrand of Q has degree 8 in x and 4 in y: J has degree 2 in x and 1 in y, dW/dJ is cubic in J.
-GAUSS_POINTS = (5, 3)
-
-RTOL = 1e-11
-# Positions (the rod is 1 m long) and slopes are of order 1. What moves the tip is no faster than some
-# 100 rad/s, which makes 1e-11 the velocity that belongs to 1e-13 of a coordinate.
-ATOL_COORDINATE = 1e-13
-ATOL_VELOCITY = 1e-11
+ENDS = [k * INTERVAL for k in range(INTERVALS + 1)]
 
 # Steps of 5e-5 s, against a highest frequency of 2.8e4 rad/s (thickness vibration), split up to eight times.
-SPLITS = range(1, 9)
 STEPS = 1000
 
 # An oracle worse than this (m) is not written.
@@ -70,23 +60,7 @@ WORST = 1e-10
 ROUNDING = {"position": 1e-12, "velocity": 5e-10, "energy": 1e-9}
 
 
-def stress_and_energy(nu):
-    """First Piola-Kirchhoff stress dW/dJ and energy density W, both over mu, as functions of J and C_T.
-
-    W = 1/2 C_ijkl E_ij E_kl with C_ijkl = lambda d_ij d_kl + mu (d_ik d_jl + d_il d_jk) contracts to
-    lambda/2 (tr E)^2 + mu E:E. E = (J^T J - I)/2 - E_T is (J^T J - C_T)/2 with C_T = I + 2 E_T, the square of
-    the stress-free stretch, diagonal here. Arguments: J11, J12, J21, J22, then C_T along and across.
-    """
-    J = sympy.Matrix(2, 2, sympy.symbols("J11 J12 J21 J22"))
-    C_T = sympy.symbols("C_along C_across")
-    nu = sympy.Rational(str(nu))
-    E = (J.T * J - sympy.diag(*C_T)) / 2
-    W = nu / (1 - 2 * nu) * E.trace() ** 2 + sum(entry**2 for entry in E)
-    stress = [sympy.factor_terms(W.diff(entry)) for entry in J]
-    return tuple(sympy.lambdify((*J, *C_T), result, "numpy", cse=True) for result in (stress, W))
-
-
-class Rod:
+class Pendulum:
     """The hinged rod of n elements. Coordinates q: the nodal vectors in turn, but for the hinge's position.
 
     `C_T` holds the squared stress-free stretches along and across: two numbers, or two arrays for several
@@ -96,49 +70,19 @@ class Rod:
     def __init__(self, elements, C_T, parameters=TABLE_1):
         self.elements, self.C_T, self.parameters = elements, C_T, parameters
         self.mu = parameters["E"] / (2 * (1 + parameters["nu"]))
-        self.stress, self.energy_density = stress_and_energy(parameters["nu"])
-        mass, weight, gradient, volumes = self._element()
-        points = len(volumes)
-        vectors = 5 * elements + 2  # neighbours share r and r_y at their common node
-        whole_mass, whole_weight = np.zeros((vectors, vectors)), np.zeros(vectors)
-        whole_gradient = np.zeros((2, elements, points, vectors))
-        for k in range(elements):
-            own = slice(5 * k, 5 * k + 7)
-            whole_mass[own, own] += mass
-            whole_weight[own] += weight
-            whole_gradient[:, k, :, own] = gradient
+        self.stress, self.energy_density, _ = stress_and_energy(parameters["nu"])
+        rod = Beam(elements, *(sympy.Rational(str(parameters[name])) for name in ("L", "h", "w", "rho")))
         # The hinge holds the first vector, r(0), at the origin. Both components of r obey the same matrices.
-        self.mass = np.kron(whole_mass[1:, 1:], np.eye(2))
-        self.weight = np.kron(whole_weight[1:], [0.0, -parameters["g"]])
-        self.volumes = np.tile(volumes, elements)
-        d_x, d_y = whole_gradient.reshape(2, elements * points, vectors)[:, :, 1:]
-        self.gradient = np.vstack([np.kron(d, component) for component in np.eye(2) for d in (d_x, d_y)])
-        self.shape = (4, elements * points, *np.shape(C_T)[1:])  # J11, J12, J21, J22 at all Gauss points
+        self.mass = np.kron(rod.mass[1:, 1:], np.eye(2))
+        self.weight = np.kron(rod.weight[1:], [0.0, -parameters["g"]])
+        self.volumes = rod.volumes
+        self.gradient = by_components(rod.gradient[:, :, 1:])
+        self.shape = (4, len(self.volumes), *np.shape(C_T)[1:])  # J11, J12, J21, J22 at all Gauss points
         inverse = scipy.linalg.cho_factor(self.mass)
         self.stress_to_acceleration = -scipy.linalg.cho_solve(
             inverse, self.gradient.T * np.tile(self.mu * self.volumes, 4))
         free_fall = scipy.linalg.cho_solve(inverse, self.weight)
         self.free_fall = free_fall.reshape(-1, *[1] * (len(self.shape) - 2))  # one for all rods
-
-    def _element(self):
-        """Of one element: mass matrix, integral of rho S, S_x and S_y at the Gauss points, their volumes."""
-        L, h, w, rho = (sympy.Rational(str(self.parameters[name])) for name in ("L", "h", "w", "rho"))
-        x, y, length = field.x, field.y, L / self.elements
-        S = sympy.Matrix(field.shape_functions()).subs(field.l, length)
-
-        def integral(f):
-            """Over 0 <= x <= length, |y| <= h/2, term by term; odd powers of y vanish."""
-            terms = [(c, i + 1, j + 1) for (i, j), c in sympy.Poly(f, x, y).terms() if j % 2 == 0]
-            return w * sum(c * length**i / i * 2 * (h / 2)**j / j for c, i, j in terms)
-
-        mass = np.array((rho * S * S.T).applyfunc(integral), float)
-        weight = np.array((rho * S).applyfunc(integral), float)[:, 0]
-        (a, weights_a), (b, weights_b) = map(np.polynomial.legendre.leggauss, GAUSS_POINTS)
-        at = [(float(length) / 2 * (1 + i), float(h) / 2 * j) for i in a for j in b]
-        derivatives = [sympy.lambdify((x, y), list(S.diff(direction))) for direction in (x, y)]
-        gradient = np.array([[derivative(*point) for point in at] for derivative in derivatives], float)
-        volumes = np.outer(weights_a, weights_b).ravel() * float(length * h * w) / 4
-        return mass, weight, gradient, volumes
 
     def straight(self, along, across):
         """The straight rod along x, stretched along and across."""
@@ -152,8 +96,8 @@ class Rod:
             ]
         return (vectors * (along, across))[1:].ravel()
 
-    def acceleration(self, q):
-        """q'' = M^-1 (weight - Q(q))."""
+    def acceleration(self, _, q):
+        """q'' = M^-1 (weight - Q(q)), at any time."""
         J = (self.gradient @ q).reshape(self.shape)
         return self.stress_to_acceleration @ np.concatenate(self.stress(*J, *self.C_T)) + self.free_fall
 
@@ -168,57 +112,8 @@ def prepare(case):
     """The rod of a case, and its coordinates at the start: relaxed means E = E_T, hence no stress."""
     model, start, elements = case
     C_T = [1 + 2 * heated * TABLE_1["alpha"] * TABLE_1["dT"] for heated in HEATED_DIRECTIONS[model]]
-    rod = Rod(elements, C_T)
+    rod = Pendulum(elements, C_T)
     return rod, rod.straight(*(sqrt(c) if start == "relaxed" else 1.0 for c in C_T))
-
-
-def dop853(rod, q):
-    """Coordinates and velocities at the samples; every interval ends on a sample, so none is interpolated."""
-    n = q.size
-    tolerance = np.repeat([ATOL_COORDINATE, ATOL_VELOCITY], n)
-
-    def rate(_, state):
-        return np.concatenate([state[n:], rod.acceleration(state[:n])])
-
-    states = [np.concatenate([q, np.zeros(n)])]
-    for k in range(INTERVALS):
-        interval = (k * INTERVAL, (k + 1) * INTERVAL)
-        solution = scipy.integrate.solve_ivp(rate, interval, states[-1], "DOP853", rtol=RTOL, atol=tolerance)
-        if not solution.success:
-            raise ArithmeticError(f"DOP853 stopped at t = {solution.t[-1]} s: {solution.message}")
-        states.append(solution.y[:, -1])
-    return [np.split(state, 2) for state in states]
-
-
-def extrapolated_verlet(rod, q):
-    """The same: each step is taken whole, in 2, 3 ... 8 Verlet steps, and extrapolated to infinitely many.
-
-    The Verlet rule is symmetric in time, so its error has even powers of the step only, and eight splits
-    leave order 16.
-    """
-    weights = [prod(j**2 / (j**2 - i**2) for i in SPLITS if i != j) for j in SPLITS]
-    v = np.zeros_like(q)
-    states = [(q, v)]
-    for _ in range(INTERVALS):
-        for _ in range(STEPS):
-            a = rod.acceleration(q)
-            changes = [verlet(rod, q, v, a, INTERVAL / STEPS, j) for j in SPLITS]
-            q = q + sum(weight * change for weight, (change, _) in zip(weights, changes))
-            v = v + sum(weight * change for weight, (_, change) in zip(weights, changes))
-        states.append((q, v))
-    return states
-
-
-def verlet(rod, q, v, a, duration, splits):
-    """Changes of q and v by velocity Verlet; a is the acceleration at q. Changes round less than states."""
-    step = duration / splits
-    change_q, change_v = 0.0, 0.0
-    for _ in range(splits):
-        half = change_v + step / 2 * a
-        change_q = change_q + step * (v + half)
-        a = rod.acceleration(q + change_q)
-        change_v = half + step / 2 * a
-    return change_q, change_v
 
 
 def samples(rod, states):
@@ -230,7 +125,14 @@ def samples(rod, states):
 def stored_samples(case):
     """One case by DOP853."""
     rod, q = prepare(case)
-    return samples(rod, dop853(rod, q))
+    n = q.size
+
+    def rate(t, state):
+        return np.concatenate([state[n:], rod.acceleration(t, state[:n])])
+
+    atol = np.repeat(integrate.tolerances(RTOL), n)
+    states = integrate.dop853(rate, np.concatenate([q, np.zeros(n)]), RTOL, atol, ENDS)
+    return samples(rod, [np.split(state, 2) for state in states])
 
 
 def second_samples(cases):
@@ -239,8 +141,9 @@ def second_samples(cases):
     With a fixed step they do not influence one another, so they run side by side in one array.
     """
     rods, starts = zip(*map(prepare, cases))
-    together = Rod(rods[0].elements, np.transpose([rod.C_T for rod in rods]))
-    return samples(together, extrapolated_verlet(together, np.transpose(starts)))
+    together = Pendulum(rods[0].elements, np.transpose([rod.C_T for rod in rods]))
+    start = np.transpose(starts)
+    return samples(together, integrate.extrapolated_verlet(together.acceleration, start, ENDS, STEPS))
 
 
 def run(case, values, second):
@@ -254,15 +157,14 @@ def run(case, values, second):
         "model": model,
         "start": start,
         "elements": elements,
-        "method": f"DOP853, rtol {RTOL:g}, atol {ATOL_COORDINATE:g} (coordinates), "
-        f"{ATOL_VELOCITY:g} (velocities)",
+        "method": integrate.described(RTOL),
         "t": [k / 20 for k in range(INTERVALS + 1)],
         "tip": values["position"].tolist(),
         "tip_velocity": values["velocity"].tolist(),
         "energy": dict(zip(("kinetic", "strain", "potential"), values["energy"].T.tolist())),
         "error_estimate": distance | {
             "how": f"largest difference over the samples to Verlet steps of {INTERVAL / STEPS:g} s, "
-            f"extrapolated from 1 to {len(SPLITS)} splits (order {2 * len(SPLITS)})"},
+            f"extrapolated from 1 to {len(integrate.SPLITS)} splits (order {2 * len(integrate.SPLITS)})"},
         "energy_drift": float(abs(total - total[0]).max()),
     }
 
@@ -350,15 +252,3 @@ def settled_run(stored, fresh):
         "error_estimate": allowed,
     }
     return settled(stored, fresh, tolerances)
-
-
-def settled(stored, fresh, tolerance):
-    """The stored value, with numbers within the tolerance replaced; a table of tolerances goes by key."""
-    if type(stored) is dict and type(fresh) is dict:
-        by_key = tolerance if type(tolerance) is dict else dict.fromkeys(fresh, tolerance)
-        shared = by_key.keys() & stored.keys() & fresh.keys()
-        return stored | {key: settled(stored[key], fresh[key], by_key[key]) for key in shared}
-    if type(stored) is list and type(fresh) is list and len(stored) == len(fresh):
-        return [settled(*pair, tolerance) for pair in zip(stored, fresh)]
-    close = type(stored) is float and type(fresh) is float and abs(stored - fresh) <= tolerance
-    return fresh if close else stored

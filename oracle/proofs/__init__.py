@@ -3,6 +3,7 @@
 Each proof asserts, and returns the sentence that it has established.
 """
 
+from .constraint import printed_constraint_force_has_no_meaning
 from .energy import (
     five_by_three_points_are_exact,
     force_and_tangent_are_differences,
@@ -28,4 +29,5 @@ PROOFS = (
     printed_shear_softens_an_inclined_rod,
     five_by_three_points_are_exact,
     force_and_tangent_are_differences,
+    printed_constraint_force_has_no_meaning,
 )
