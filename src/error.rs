@@ -39,7 +39,8 @@ pub enum Error {
     /// Newton's iteration stopped short of its tolerance.
     #[error(
         "Newton's iteration did not converge at t = {time} s: residual {residual:.3e} of the largest \
-         force term after {iterations} iterations (tolerance {tolerance:.1e}); a smaller `time.step` helps"
+         force term after {iterations} iterations (tolerance {tolerance:.1e}); a smaller `time.step` helps, and where heat \
+         or a force comes suddenly a `history` that lets it grow, \"energy-momentum\" or \"explicit\""
     )]
     NewtonFailed {
         /// Time at the end of the failed step, s.
@@ -51,18 +52,38 @@ pub enum Error {
         /// Tolerance it had to reach.
         tolerance: f64,
     },
+    /// Statics did not find an equilibrium.
+    #[error(
+        "no equilibrium was found at {factor} of the load: {reason}; more `time.load_steps` help, unless the structure \
+         buckles there"
+    )]
+    NoEquilibrium {
+        /// Load factor at the end of the failed step, 0 … 1.
+        factor: f64,
+        /// Iterations and residual, or where the tangent is singular.
+        reason: String,
+    },
     /// A matrix that has to be inverted is singular.
     #[error(
-        "the matrix is singular at t = {time} s, iteration {iteration} (pivot {pivot}): a part of the structure is not \
-         held, or a step is far too large"
+        "the matrix is singular at t = {time} s, iteration {iteration}, at {place}: a part of the structure is not \
+         held, rods are stretched out in a singular position, or a step is far too large"
     )]
     Singular {
         /// Time, s.
         time: f64,
         /// Newton's iteration, 0 for the mass matrix.
         iteration: usize,
-        /// Index of the vanishing pivot in the structure's numbering.
-        pivot: usize,
+        /// Where in the structure the vanishing pivot is.
+        place: String,
+    },
+    /// Statics of a structure that can move without a strain.
+    #[error(
+        "statics has no answer: the structure can move without a strain (to first order), rods {rods}; allowed: \
+         `supports` and pins that hold every rod"
+    )]
+    Drifts {
+        /// The rods that move, or the first of them.
+        rods: String,
     },
     /// A structure's matrices would not fit into memory.
     #[error(
@@ -76,6 +97,22 @@ pub enum Error {
         band: usize,
         /// Memory of one matrix, GB.
         gigabytes: f64,
+    },
+    /// A method has created energy.
+    #[error(
+        "at t = {time} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: the step is \
+         far too long for a sudden load; a smaller `time.step` helps, a `history` that lets it grow, \"energy-momentum\" or \
+         \"explicit\""
+    )]
+    EnergyAppeared {
+        /// Time, s.
+        time: f64,
+        /// Number of the step.
+        step: usize,
+        /// Energy that nothing put in, J.
+        created: f64,
+        /// What forces, heat and weights have put in at most, J.
+        supply: f64,
     },
     /// A quantity stopped being a finite number.
     #[error("{quantity} is no longer finite at t = {time} s, step {step}; a smaller `time.step` helps")]
@@ -133,7 +170,11 @@ impl Error {
     /// Exit code of the command line: 1 the run failed, 2 bad input.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Error::Scene { .. } | Error::StepTooLarge { .. } | Error::TooLarge { .. } | Error::Read { .. } => 2,
+            Error::Scene { .. }
+            | Error::StepTooLarge { .. }
+            | Error::Drifts { .. }
+            | Error::TooLarge { .. }
+            | Error::Read { .. } => 2,
             _ => 1,
         }
     }

@@ -77,6 +77,12 @@ impl Section {
         B
     }
 
+    /// Change of (p, δ, κ) since an earlier state.
+    fn change_from(&self, before: &Section) -> Vector6 {
+        let change = [self.r_x - before.r_x, self.d - before.d, self.kappa - before.kappa];
+        Vector6::from_fn(|i, _| change[i / 2][i % 2])
+    }
+
     fn midpoint(&self, other: &Section) -> Section {
         Section {
             r_x: 0.5 * (self.r_x + other.r_x),
@@ -214,6 +220,24 @@ impl Kernel {
         K
     }
 
+    /// Tangent of Newton's iteration with the section forces as unknowns of their own, eliminated station by station
+    /// (Magisano, Leonetti and Garcea 2017): B and C at `u`, but the geometric part from the forces that the last step,
+    /// `before` → `u`, expected of a linear change of strain, C (ε + B Δ) at `before`. Where the axis bends far in one
+    /// step the strains of `u` are quadratic in that step and hugely wrong; the expected forces are not. With `before`
+    /// = `u` it is [`tangent`](Kernel::tangent).
+    pub fn mixed_tangent(&self, before: &Vector14, u: &Vector14, eps_T: ThermalStrain) -> Matrix14 {
+        let mut K = Matrix14::zeros();
+        for station in &self.stations {
+            let (section_before, strains) = self.section(station, before, eps_T);
+            let (section, _) = self.section(station, u, eps_T);
+            let expected = self.C * (strains + section_before.strain_rate() * section.change_from(&section_before));
+            let B = section.strain_rate();
+            let H = B.transpose() * self.C * B + geometric(&expected);
+            self.add_stiffness(station, &(station.weight * H), &mut K);
+        }
+        K
+    }
+
     /// Force of the energy–momentum step from `u_0` to `u_1`: stresses averaged over the two ends, strain derivative
     /// at the middle. As strains are quadratic in u, its work is exactly the change of strain energy plus the
     /// [`heating_work`](Kernel::heating_work) taken off: Q̄·(u₁ − u₀) = U₁ − U₀ + ∫ σ̄ : (ε_T1 − ε_T0) dV.
@@ -257,17 +281,17 @@ impl Kernel {
     }
 }
 
-/// Both ends of a step, for one element or a whole structure.
+/// Both ends of a step, for one element or, with a thermal strain a rod, for a whole structure.
 #[derive(Clone, Copy, Debug)]
-pub struct Ends<'a, V> {
+pub struct Ends<'a, V, T = ThermalStrain> {
     /// Displacement at the step's start.
     pub u_0: &'a V,
     /// Displacement at its end.
     pub u_1: &'a V,
     /// Thermal strain at its start.
-    pub thermal_0: ThermalStrain,
+    pub thermal_0: T,
     /// Thermal strain at its end.
-    pub thermal_1: ThermalStrain,
+    pub thermal_1: T,
 }
 
 /// Second derivative of the strains in (p, δ, κ), contracted with the section forces: products of two vectors.

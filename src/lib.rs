@@ -24,28 +24,35 @@
 //!
 //! **Checking another implementation.** `fixtures/equations.json` has 32 element states and the exact value of every quantity of
 //! [`equations::CONTENTS`] for each; [`state::ElementState`] reads a state, [`state::evaluate`] gives our value.
-//! `fixtures/pendulum.json` has the pendulum's motion.
+//! `fixtures/pendulum.json` has the pendulum's motion; `fixtures/structure.json` the terms of (23) for pinned rods, and their
+//! motion.
+//!
+//! **Structures.** [`structure`] assembles rods that are pinned at their ends and middles; [`integrators`] move it and
+//! [`statics`] loads it, as it should be computed (pins as shared coordinates) or as (23) has it (with multipliers).
 //!
 //! **Units and signs.** SI throughout. Strains are Green–Lagrange, stresses second Piola–Kirchhoff, both in global axes
-//! in [`equations`]; tension is positive. Q_e is ∂U/∂e, the force *on the left* of M ë + Q_e = Q_w, (22).
+//! in [`equations`]; tension is positive. Q_e is ∂U/∂e, the force *on the left* of M ë + Q_e = Q_w, (22),
+//! as Φ_qᵀ λ is in (23). A reaction is the force of a support *on the structure*; a deflection is positive to the left of
+//! from → to.
 //!
-//! **Equation → function.** [`equations::CONTENTS`] lists them all; (23) is not here yet.
+//! **Equation → function.** [`equations::CONTENTS`] lists them all.
 //!
 //! | equation | function | | equation | function |
 //! |---|---|---|---|---|
-//! | (1) | [`shape::r`] | | (14) | [`strain::eps`] |
-//! | (2) | [`shape::S`] | | (15) | [`material::sigma`] |
-//! | (3) | [`shape::S_i`] | | (16) | [`material::D`] |
-//! | (4) | [`shape::e`], [`shape::nodes`] | | (17) | [`material::lambda`], [`material::mu`] |
-//! | (5) | [`shape::r_dot`] | | (18) | [`force::U`], [`force::U_printed`] (E3) |
-//! | (6) | [`inertia::T`], [`inertia::T_integral`] | | (19) | [`force::Q_e`] |
-//! | (7) | [`inertia::M`] | | (20) | [`force::K`], [`force::K_printed`] (E3) |
-//! | (8) | [`strain::eps_T`] | | (21) | [`force::K_1`], [`force::K_2`], [`force::K_3`], [`force::K_3_printed`] (E2), [`force::S_1`] |
-//! | (9) | [`strain::J`], [`strain::J_0`] | | (22) | [`motion::residual`], [`motion::acceleration`] |
+//! | (1) | [`shape::r`] | | (15) | [`material::sigma`] |
+//! | (2) | [`shape::S`] | | (16) | [`material::D`] |
+//! | (3) | [`shape::S_i`] | | (17) | [`material::lambda`], [`material::mu`] |
+//! | (4) | [`shape::e`], [`shape::nodes`] | | (18) | [`force::U`], [`force::U_printed`] (E3) |
+//! | (5) | [`shape::r_dot`] | | (19) | [`force::Q_e`] |
+//! | (6) | [`inertia::T`], [`inertia::T_integral`] | | (20) | [`force::K`], [`force::K_printed`] (E3) |
+//! | (7) | [`inertia::M`] | | (21) | [`force::K_1`], [`force::K_2`], [`force::K_3`], [`force::K_3_printed`] (E2), [`force::S_1`] |
+//! | (8) | [`strain::eps_T`] | | (22) | [`motion::residual`], [`motion::acceleration`] |
+//! | (9) | [`strain::J`], [`strain::J_0`] | | (23) | [`motion::system_residual`], [`motion::system_acceleration`], [`motion::constraint_force`], [`motion::constraint_force_printed`] (E4) |
 //! | (10) | [`strain::eps_m`] | | (A.1) | [`shape::r_polynomial`] |
 //! | (11) | [`strain::S_abc_theta`], [`strain::S_abc`] | | (A.2) | [`shape::nodal_conditions`] |
 //! | (12) | [`strain::eps_f`] | | (A.3) | [`shape::coefficients`], [`shape::coefficients_printed`] (E1) |
 //! | (13) | [`strain::eps_1`], [`strain::eps_2`], [`strain::eps_3`] | | (A.4), (A.5) | [`shape::r_nodal`], [`shape::S`] |
+//! | (14) | [`strain::eps`] | | | |
 //!
 //! **Features.** `cli` (on by default) adds the command line, the pictures and the main job; the library does without:
 //! `ancf = { path = "…", default-features = false }`.
@@ -91,6 +98,10 @@
 //! [`force::S_1`]: equations::force::S_1
 //! [`motion::residual`]: equations::motion::residual
 //! [`motion::acceleration`]: equations::motion::acceleration
+//! [`motion::constraint_force`]: equations::motion::constraint_force
+//! [`motion::constraint_force_printed`]: equations::motion::constraint_force_printed
+//! [`motion::system_residual`]: equations::motion::system_residual
+//! [`motion::system_acceleration`]: equations::motion::system_acceleration
 
 /// The matrices and vectors of [`equations`] are its types.
 pub use nalgebra;
@@ -106,6 +117,7 @@ pub mod report;
 pub mod run;
 pub mod scene;
 pub mod state;
+pub mod statics;
 pub mod structure;
 #[cfg(feature = "cli")]
 pub mod study;

@@ -6,14 +6,17 @@ use std::process::ExitCode;
 
 use ancf::error::{Error, Result};
 use ancf::report::{self, Files};
-use ancf::run::run;
-use ancf::scene::{Scene, builtin_names, builtin_text};
+use ancf::run::run_with_progress;
+use ancf::scene::{Scene, Scissors, ThermalModel, builtin_names, builtin_text};
 use ancf::study;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
 
 /// Planar thermo-elastic ANCF beam (Peng et al. 2018).
 ///
-/// Without a command: the paper's pendulum in all its models, compared with the embedded oracle.
+/// Without a command: the paper's pendulum and deployable structure in all their models, compared with the embedded oracles;
+/// tables, pictures and what the paper says, measured.
 #[derive(Parser)]
 #[command(version, args_conflicts_with_subcommands = true)]
 struct Cli {
@@ -38,6 +41,9 @@ enum Command {
         scene: String,
         #[command(flatten)]
         out: Out,
+        // Last, as the heading of its options holds for what follows.
+        #[command(flatten)]
+        scissors: ScissorsOptions,
     },
     /// List the built-in scenes.
     Scenes,
@@ -45,16 +51,61 @@ enum Command {
     Scene {
         /// Name of the scene.
         name: String,
+        #[command(flatten)]
+        scissors: ScissorsOptions,
     },
+}
+
+/// What can be changed in the scenes `scissors-<n>`.
+#[derive(clap::Args)]
+#[command(next_help_heading = "Scenes scissors-<n>")]
+struct ScissorsOptions {
+    /// Angle between the rods and the x axis at the start, degrees, over 0 and under 90 [default: 80].
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    angle: Option<f64>,
+    /// Force at a1, N, downwards [default: 50].
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    force: Option<f64>,
+    /// Which strains the changing temperature causes [default: 2d if the name ends in -thermal, else none].
+    #[arg(long, value_name = "MODEL", value_parser = model())]
+    temperature: Option<ThermalModel>,
+}
+
+/// Reads the word for a thermal model.
+fn model() -> impl TypedValueParser<Value = ThermalModel> {
+    let known = PossibleValuesParser::new(ThermalModel::WORDS);
+    known.try_map(|word| ThermalModel::from_word(&word).ok_or("not a thermal model"))
+}
+
+impl ScissorsOptions {
+    /// The structure of a scene's name with these changes; `None` if there are none.
+    fn change(&self, name: &str) -> Result<Option<Scissors>> {
+        let given = [
+            self.angle.map(|angle| ("--angle", angle.to_string())),
+            self.force.map(|force| ("--force", force.to_string())),
+            self.temperature.map(|model| ("--temperature", model.to_string())),
+        ];
+        let Some((option, value)) = given.into_iter().flatten().next() else { return Ok(None) };
+        let Some(scissors) = Scissors::named(name) else {
+            let allowed = "this option for the scenes `scissors-<n>` and `scissors-<n>-thermal` only".into();
+            return Err(Error::Scene { file: name.into(), key: option.into(), value, allowed });
+        };
+        Ok(Some(Scissors {
+            angle: self.angle.unwrap_or(scissors.angle),
+            force: self.force.unwrap_or(scissors.force),
+            model: self.temperature.unwrap_or(scissors.model),
+            ..scissors
+        }))
+    }
 }
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
     let outcome = match &cli.command {
         None => study::main_job(&cli.out.folder, print),
-        Some(Command::Run { scene, out }) => run_scene(scene, &out.folder),
+        Some(Command::Run { scene, out, scissors }) => run_scene(scene, scissors, &out.folder),
         Some(Command::Scenes) => list_scenes(),
-        Some(Command::Scene { name }) => builtin_text(name).and_then(print),
+        Some(Command::Scene { name, scissors }) => print_scene(name, scissors),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -67,14 +118,35 @@ fn main() -> ExitCode {
 }
 
 /// `ancf run`.
-fn run_scene(name: &str, folder: &Path) -> Result<()> {
-    let scene = Scene::load(name)?;
+fn run_scene(name: &str, options: &ScissorsOptions, folder: &Path) -> Result<()> {
+    let scene = match options.change(name)? {
+        Some(scissors) => scissors.scene()?,
+        None => Scene::load(name)?,
+    };
     // First, so that a folder that cannot be written is not found after the run.
     let files = Files::in_folder(folder)?;
-    let run = run(&scene)?;
+    let bar = progress(scene.steps());
+    let run = run_with_progress(&scene, |step| bar.set_position(step as u64));
+    bar.finish_and_clear();
+    let run = run?;
     let paths = report::write_run(files, &scene, &run)?;
     let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
     print(&(report::run_text(&scene, &run) + &written))
+}
+
+/// A bar with the time left, on a terminal; nothing in a pipe.
+fn progress(steps: usize) -> ProgressBar {
+    let bar = ProgressBar::new(steps as u64);
+    let style = ProgressStyle::with_template("step {pos}/{len} {bar:30} {eta} left");
+    style.map_or(bar.clone(), |style| bar.with_style(style))
+}
+
+/// `ancf scene`.
+fn print_scene(name: &str, options: &ScissorsOptions) -> Result<()> {
+    match options.change(name)? {
+        Some(scissors) => print(&scissors.scene()?.to_text()),
+        None => print(&builtin_text(name)?),
+    }
 }
 
 /// `ancf scenes`.
@@ -85,6 +157,9 @@ fn list_scenes() -> Result<()> {
         let title = Scene::load(name)?.title;
         list += &format!("{name:width$}  {title}\n");
     }
+    let any = "scissors-<n>";
+    list += &format!("{any:width$}  scissors-3 with n scissor-like elements; scissors-<n>-thermal likewise; ");
+    list += "--angle, --force and --temperature change them\n";
     print(&list)
 }
 

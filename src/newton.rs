@@ -4,11 +4,14 @@ use nalgebra::DVector;
 
 use crate::counts::Counts;
 use crate::error::{Error, Result};
-use crate::linear::{BandMatrix, SingularAt};
+use crate::linear::{BorderedLu, SingularAt};
 use crate::structure::Structure;
 
 /// More iterations than this never helped: where Newton converges at all it takes three to eight.
 const MOST_ITERATIONS: usize = 30;
+
+/// How many times the rounding error of one force a residual of several may be.
+const ROUNDINGS: f64 = 8.0;
 
 /// A residual and the largest of the forces it is made of, N, by which it is judged.
 pub struct Residual {
@@ -18,11 +21,11 @@ pub struct Residual {
     pub largest_term: f64,
 }
 
-/// An equation for the increment `du` of the displacement over a step.
+/// An equation for the increment `du` of the displacement over a step; multipliers stand in their places of it.
 pub struct Equation<R, T> {
     /// What should vanish, as a function of `du`.
     pub residual: R,
-    /// Its derivative.
+    /// LU factors of its derivative; old ones give their memory.
     pub tangent: T,
 }
 
@@ -35,11 +38,20 @@ pub struct Step<'a> {
     pub t_1: f64,
 }
 
+/// What an iteration works on.
+pub struct Iterate<'a> {
+    /// The guess, then the solution.
+    pub du: &'a mut DVector<f64>,
+    /// The last factors, whose memory is used again.
+    pub factors: &'a mut Option<BorderedLu>,
+}
+
 /// Solves an equation of a step from the guess in `du`.
 ///
 /// Done when the residual's largest entry is at most `tolerance` times the largest force term; or, once the iteration
 /// has done what it can, at most eight times the rounding error of the elastic forces, below which it cannot get. The
-/// guess itself is not judged by rounding: a load smaller than that still moves the structure.
+/// guess itself is not judged by rounding: a load smaller than that still moves the structure. Constraint rows are not
+/// judged: they are linear, so that every iterate fulfils them.
 ///
 /// # Errors
 /// [`Error::NewtonFailed`] without convergence, [`Error::Singular`] for a singular tangent.
@@ -47,31 +59,34 @@ pub fn solve(
     structure: &Structure,
     tolerance: f64,
     step: Step,
-    equation: Equation<impl Fn(&DVector<f64>) -> Residual, impl Fn(&DVector<f64>) -> BandMatrix>,
-    du: &mut DVector<f64>,
+    mut equation: Equation<
+        impl Fn(&DVector<f64>) -> Residual,
+        impl FnMut(&DVector<f64>, Option<BorderedLu>) -> std::result::Result<BorderedLu, SingularAt>,
+    >,
+    Iterate { du, factors }: Iterate,
     counts: &mut Counts,
 ) -> Result<()> {
     let time = step.t_1;
-    let rounding = 8.0 * structure.rounding(step.u_0);
     let mut iterations = 0;
     loop {
         let Residual { mut value, largest_term } = (equation.residual)(du);
         counts.force_calls += 1;
         let size = structure.largest(&value);
         let finite = size.is_finite() && largest_term.is_finite();
-        if finite && (size <= tolerance * largest_term || iterations > 0 && size <= rounding) {
+        let at_rounding = || iterations > 0 && structure.within_rounding(&value, &(step.u_0 + &*du), ROUNDINGS);
+        if finite && (size <= tolerance * largest_term || at_rounding()) {
             return Ok(());
         }
         if !finite || iterations == MOST_ITERATIONS {
             return Err(Error::NewtonFailed { time, iterations, residual: size / largest_term, tolerance });
         }
         iterations += 1;
-        let factors = (equation.tangent)(du).lu().map_err(|SingularAt(pivot)| Error::Singular {
+        let new = (equation.tangent)(du, factors.take()).map_err(|SingularAt(unknown)| Error::Singular {
             time,
             iteration: iterations,
-            pivot,
+            place: structure.place(unknown),
         })?;
-        factors.solve(&mut value);
+        factors.insert(new).solve(&mut value);
         *du -= value;
         counts.newton_iterations += 1;
         counts.tangent_calls += 1;

@@ -10,7 +10,7 @@ use std::path::PathBuf;
 
 use crate::error::Result;
 use crate::run::{Run, Trajectory};
-use crate::scene::{ENERGY_COLUMNS, Scene};
+use crate::scene::{ENERGY_COLUMNS, Method, Scene};
 
 pub use files::Files;
 pub use summary::write_summary;
@@ -51,13 +51,17 @@ pub fn run_text(scene: &Scene, run: &Run) -> String {
         format!("{method}: {steps} steps, {iterations} Newton iterations, {:.3} s", run.wall_seconds),
     ];
     if let Some(time) = final_time(run) {
-        lines.push(format!("at t = {time} s:"));
+        lines.push(match method {
+            Method::Static => format!("at {time} of the full load:"),
+            _ => format!("at t = {} s:", (time * 1e9).round() / 1e9),
+        });
     }
     let width = run.trajectory.columns.iter().map(|name| name.chars().count()).max().unwrap_or(0);
     lines.extend(final_values(run).map(|(name, value)| format!("  {name:width$} {value:14.6} {}", unit(name))));
     if let Some(value) = energy_imbalance(&run.trajectory) {
+        let input = energy_input(&run.trajectory).map_or(String::new(), |input| format!(" of {input:.1e} J put in"));
         lines.push(format!(
-            "largest energy imbalance {value:.1e} J (a small one says nothing of the accuracy in time and space)"
+            "largest energy imbalance {value:.1e} J{input} (a small one says nothing of the accuracy in time and space)"
         ));
     }
     lines.extend(run.warnings.iter().map(|warning| format!("warning: {warning}")));
@@ -84,11 +88,18 @@ fn energy_imbalance(trajectory: &Trajectory) -> Option<f64> {
     trajectory.rows.iter().filter_map(|row| row.get(column)).map(|balance| balance.abs()).max_by(f64::total_cmp)
 }
 
+/// Largest |`energy.input`| over the rows, J; `None` if there is none but zeros.
+fn energy_input(trajectory: &Trajectory) -> Option<f64> {
+    let column = trajectory.column("energy.input")?;
+    column.into_iter().map(f64::abs).max_by(f64::total_cmp).filter(|input| *input > 0.0)
+}
+
 /// Unit of a probe's column.
 fn unit(column: &str) -> &'static str {
     match column.rsplit('.').next() {
         Some("vx" | "vy") => "m/s",
         Some("ax" | "ay") => "m/s²",
+        Some("rx" | "ry") => "N",
         _ => "m",
     }
 }
@@ -137,8 +148,8 @@ mod tests {
 
     #[test]
     fn units_of_the_columns() {
-        let columns = ["tip.x", "tip.y", "tip.vx", "tip.vy", "tip.ax", "tip.ay"];
-        assert_eq!(columns.map(unit), ["m", "m", "m/s", "m/s", "m/s²", "m/s²"]);
+        let columns = ["tip.x", "tip.y", "tip.vx", "tip.vy", "tip.ax", "tip.ay", "tip.rx", "tip.ry", "rod.w"];
+        assert_eq!(columns.map(unit), ["m", "m", "m/s", "m/s", "m/s²", "m/s²", "N", "N", "m"]);
     }
 
     #[test]

@@ -7,10 +7,9 @@ use nalgebra::DVector;
 use crate::counts::Counts;
 use crate::error::{Error, Result};
 use crate::integrators::{self, State};
-use crate::kernel::Ends;
-use crate::linear::BandLu;
-use crate::scene::{Method, Quantity, Scene, Start};
-use crate::structure::Structure;
+use crate::linear::BorderedLu;
+use crate::scene::{Method, Probe, Quantity, Scene, Start};
+use crate::structure::{Instant as Now, StepEnds, Structure};
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -48,6 +47,14 @@ pub struct Run {
 /// [`Error::Scene`] for a scene that is not valid; those of its method: see [`integrators`]; [`Error::NotFinite`] for a row that is
 /// no longer made of numbers.
 pub fn run(scene: &Scene) -> Result<Run> {
+    run_with_progress(scene, |_| ())
+}
+
+/// Runs a scene and tells `on_step` the number of steps made after each of them.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn run_with_progress(scene: &Scene, mut on_step: impl FnMut(usize)) -> Result<Run> {
     let clock = Instant::now();
     scene.validate("scene")?;
     let structure = Structure::new(scene)?;
@@ -57,21 +64,20 @@ pub fn run(scene: &Scene) -> Result<Run> {
     let mut method = integrators::integrator(scene, &structure, &state, &mut counts)?;
     let mut recorder = Recorder::new(scene, &structure, &state, &mut counts)?;
 
-    recorder.record(&state, &mut counts)?;
+    recorder.record(&state, method.multipliers(), &mut counts)?;
     for step in 1..=scene.steps() {
-        // Not a sum of steps: its rounding would grow.
-        let t = step as f64 * scene.time.step;
-        let heats = recorder.energy.is_some() && structure.thermal_strain(state.t) != structure.thermal_strain(t);
-        let before = heats.then(|| state.clone());
+        let t = scene.time_after(step);
+        let before = recorder.works(state.t, t).then(|| state.clone());
         method.step(&structure, &mut state, t, &mut counts)?;
         (state.step, state.t) = (step, t);
         counts.steps += 1;
-        if let (Some(energy), Some(before)) = (&mut recorder.energy, before) {
-            energy.heat(&structure, &before, &state);
+        if let Some(before) = before {
+            recorder.work(&before, &state);
         }
         if scene.is_row(step) {
-            recorder.record(&state, &mut counts)?;
+            recorder.record(&state, method.multipliers(), &mut counts)?;
         }
+        on_step(step);
     }
     Ok(Run {
         trajectory: recorder.trajectory,
@@ -89,15 +95,18 @@ const STEPS_PER_CROSSING: f64 = 20.0;
 /// Doubts that the scene itself raises.
 fn warnings(scene: &Scene) -> Vec<String> {
     let crossing = Structure::wave_crossing_time(scene);
-    let wave = crossing * scene.rods.iter().map(|rod| rod.elements).max().unwrap_or(1) as f64;
-    let shock = scene.heat().is_some_and(|heat| {
-        let sudden = heat.start == Start::Sudden && heat.at(0.0) != 0.0;
-        // Heat within the time that the wave takes along a rod is as good as sudden.
-        sudden || heat.history.windows(2).any(|pair| pair[1][1] != pair[0][1] && pair[1][0] - pair[0][0] < wave)
+    let shock = scene.rods.iter().any(|rod| {
+        scene.heat(rod).is_some_and(|heat| {
+            let sudden = heat.start == Start::Sudden && heat.at(0.0) != 0.0;
+            // Heat within the time that the wave takes along the rod is as good as sudden.
+            let wave = Structure::wave_time(scene, rod);
+            sudden || heat.history.windows(2).any(|pair| pair[1][1] != pair[0][1] && pair[1][0] - pair[0][0] < wave)
+        })
     });
     let step = scene.time.step;
     // The explicit method's own stability limit is short enough.
-    if shock && scene.time.method != Method::Explicit && step * STEPS_PER_CROSSING > crossing {
+    let implicit = matches!(scene.time.method, Method::GeneralizedAlpha | Method::EnergyMomentum);
+    if shock && implicit && step * STEPS_PER_CROSSING > crossing {
         return vec![format!(
             "sudden heat starts an axial wave that crosses an element in {crossing:.1e} s, which the step of {step:e} s \
              does not resolve: positions may be off by millimetres and more, which no energy balance shows; \
@@ -112,8 +121,8 @@ struct Recorder<'a> {
     scene: &'a Scene,
     structure: &'a Structure,
     trajectory: Trajectory,
-    /// There if a probe asks for an acceleration.
-    mass: Option<BandLu>,
+    /// There if a probe asks for an acceleration, or for a reaction that follows from it.
+    mass: Option<BorderedLu>,
     /// There if the scene asks for energies.
     energy: Option<Energy>,
 }
@@ -122,25 +131,33 @@ struct Recorder<'a> {
 struct Energy {
     start: f64,
     input: f64,
+    /// The most that forces, heat and the fall of weights have put in so far.
+    supply: f64,
 }
 
 impl Energy {
     fn new(structure: &Structure, state: &State) -> Energy {
-        let thermal = structure.thermal_strain(0.0);
         // Before a sudden start there is no strain energy; the heat that then appears puts in what is there at t = 0.
-        let input = structure.strain_energy(&state.u, thermal);
-        Energy { start: 0.0 - structure.gravity().dot(&state.u), input }
+        let input = structure.strain_energy(&state.u, &structure.thermal_strains(0.0));
+        Energy { start: 0.0 - structure.gravity().dot(&state.u), input, supply: 0.0 }
     }
 
-    fn heat(&mut self, structure: &Structure, before: &State, after: &State) {
-        let (thermal_0, thermal_1) = (structure.thermal_strain(before.t), structure.thermal_strain(after.t));
-        self.input += structure.heating_work(&Ends { u_0: &before.u, u_1: &after.u, thermal_0, thermal_1 });
+    /// Refuses a state with twice the energy that was put in: no method may create any, and one whose step is far too long
+    /// for a sudden load does.
+    fn check(&mut self, row: [f64; 5], structure: &Structure, state: &State) -> Result<()> {
+        let [_, _, potential, input, created] = row;
+        self.supply = self.supply.max(input.abs() + (potential - self.start).abs());
+        if created > self.supply + structure.energy_rounding() {
+            let (time, step, supply) = (state.t, state.step, self.supply);
+            return Err(Error::EnergyAppeared { time, step, created, supply });
+        }
+        Ok(())
     }
 
     /// Kinetic, strain and potential energy, input and balance.
     fn row(&self, structure: &Structure, state: &State) -> [f64; 5] {
         let kinetic = structure.kinetic_energy(&state.v);
-        let strain = structure.strain_energy(&state.u, structure.thermal_strain(state.t));
+        let strain = structure.strain_energy(&state.u, &structure.thermal_strains(state.t));
         let potential = 0.0 - structure.gravity().dot(&state.u);
         [kinetic, strain, potential, self.input, kinetic + strain + potential - self.start - self.input]
     }
@@ -148,36 +165,89 @@ impl Energy {
 
 impl<'a> Recorder<'a> {
     fn new(scene: &'a Scene, structure: &'a Structure, state: &State, counts: &mut Counts) -> Result<Recorder<'a>> {
-        let accelerations = scene.probes.iter().any(|probe| probe.of.contains(&Quantity::Acceleration));
+        let moves = scene.time.method != Method::Static;
+        let asked = |quantity| scene.probes.iter().any(|probe| probe.of.contains(&quantity));
+        let accelerates = moves && (asked(Quantity::Acceleration) || asked(Quantity::Reaction));
         Ok(Recorder {
             scene,
             structure,
             trajectory: Trajectory { columns: scene.columns(), rows: Vec::new() },
-            mass: accelerations.then(|| integrators::mass_factors(structure, counts)).transpose()?,
-            energy: scene.output.energy.then(|| Energy::new(structure, state)),
+            mass: accelerates.then(|| integrators::mass_factors(structure, counts)).transpose()?,
+            energy: scene.has_energies().then(|| Energy::new(structure, state)),
         })
     }
 
-    fn record(&mut self, state: &State, counts: &mut Counts) -> Result<()> {
-        let a = self.mass.as_ref().map(|m| integrators::acceleration(self.structure, m, &state.u, state.t, counts));
+    /// Whether forces or heat put energy in between two times.
+    fn works(&self, t_0: f64, t_1: f64) -> bool {
+        let heats = || self.structure.thermal_strains(t_0) != self.structure.thermal_strains(t_1);
+        self.energy.is_some() && (!self.scene.forces.is_empty() || heats())
+    }
+
+    /// Adds the work of forces and of heating over a step.
+    fn work(&mut self, before: &State, after: &State) {
+        let structure = self.structure;
+        let (thermal_0, thermal_1) = (structure.thermal_strains(before.t), structure.thermal_strains(after.t));
+        let heating = if thermal_0 == thermal_1 {
+            0.0
+        } else {
+            let ends = StepEnds { u_0: &before.u, u_1: &after.u, thermal_0: &thermal_0, thermal_1: &thermal_1 };
+            structure.heating_work(&ends)
+        };
+        let force = structure.point_forces(before.t) + structure.point_forces(after.t);
+        if let Some(energy) = &mut self.energy {
+            energy.input += heating + 0.5 * force.dot(&(&after.u - &before.u));
+        }
+    }
+
+    fn record(&mut self, state: &State, multipliers: Option<&DVector<f64>>, counts: &mut Counts) -> Result<()> {
+        let structure = self.structure;
+        let mut a = match &self.mass {
+            Some(mass) => integrators::acceleration(structure, mass, &state.u, state.t, counts),
+            None => DVector::zeros(structure.size()),
+        };
+        let of_motion = structure.take_multipliers(&mut a);
+        let now = Now { u: &state.u, a: &a, t: state.t, multipliers: multipliers.unwrap_or(&of_motion) };
         let mut row = vec![state.t];
-        for probe in &self.scene.probes {
-            for quantity in &probe.of {
-                row.extend(match (quantity, &a) {
-                    (Quantity::Position, _) => self.structure.position(&probe.point, &state.u),
-                    (Quantity::Velocity, _) => self.structure.at_point(&probe.point, &state.v),
-                    (Quantity::Acceleration, Some(a)) => self.structure.at_point(&probe.point, a),
-                    (Quantity::Acceleration, None) => continue,
-                });
+        for (probe, quantity) in self.scene.probes.iter().flat_map(|probe| probe.of.iter().map(move |of| (probe, of))) {
+            match look(structure, probe, *quantity, state, now) {
+                Value::Vector(vector) => row.extend(vector),
+                Value::Number(number) => row.push(number),
             }
         }
-        if let Some(energy) = &self.energy {
-            row.extend(energy.row(self.structure, state));
-        }
+        let energies = self.energy.as_ref().map(|energy| energy.row(structure, state));
+        row.extend(energies.iter().flatten());
         if !row.iter().all(|value| value.is_finite()) {
             return Err(Error::NotFinite { quantity: "the output", time: state.t, step: state.step });
+        }
+        if let (Some(energy), Some(energies)) = (&mut self.energy, energies) {
+            energy.check(energies, structure, state)?;
         }
         self.trajectory.rows.push(row);
         Ok(())
     }
+}
+
+/// What a probe reads.
+enum Value {
+    Vector([f64; 2]),
+    Number(f64),
+}
+
+/// Reads one quantity of a probe; the scene was validated, so that what the quantity needs is there.
+fn look(structure: &Structure, probe: &Probe, quantity: Quantity, state: &State, now: Now) -> Value {
+    let point = probe.point.as_deref().unwrap_or_default();
+    let rod = probe.rod.as_deref();
+    Value::Vector(match quantity {
+        Quantity::Position => structure.position(point, &state.u),
+        Quantity::Velocity => structure.at_point(point, &state.v),
+        Quantity::Acceleration => structure.at_point(point, now.a),
+        Quantity::Reaction => match rod {
+            Some(rod) => structure.force_on_rod(point, rod, now),
+            None => structure.reaction(point, now),
+        },
+        Quantity::Deflection => {
+            let place = probe.at.unwrap_or_default();
+            return Value::Number(structure.deflection(rod.unwrap_or_default(), place, &state.u));
+        }
+    })
 }

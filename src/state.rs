@@ -1,4 +1,4 @@
-//! One element in one state, and the value of every equation for it.
+//! One element in one state, or the terms of (23) for a structure, and the value of every equation for it.
 //!
 //! The JSON shape of an element state is a contract: fixtures and other programs use it too.
 
@@ -8,7 +8,7 @@ use crate::equations::force::{Element, Matrix14};
 use crate::equations::shape::Vector14;
 use crate::equations::{force, inertia, material, motion, shape, strain};
 pub use crate::scene::ThermalModel;
-use nalgebra::{Dim, Matrix, RawStorage, Vector2, Vector3};
+use nalgebra::{DMatrix, DVector, Dim, Matrix, RawStorage, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
 /// An element state: geometry, motion, material, temperature and the points to look at. SI units.
@@ -164,6 +164,42 @@ pub fn evaluate(quantity: &str, state: &ElementState) -> Option<Vec<f64>> {
         "A.3.coefficients/printed" => Some(shape::coefficients_printed(&nodes, l).iter().flat_map(rows).collect()),
         "A.4.r" => at_points(&|x, y| rows(&shape::r_nodal(x, y, &nodes, l))),
         "A.5.e" => Some(rows(&shape::e(&nodes))),
+        _ => None,
+    }
+}
+
+/// The terms of (23) for a structure of n coordinates and c constraints. SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SystemState {
+    /// Mass matrix, n × n.
+    pub m: DMatrix<f64>,
+    /// Accelerations, n.
+    pub q_ddot: DVector<f64>,
+    /// Elastic forces k(ΔT) q, n.
+    pub kq: DVector<f64>,
+    /// Derivative of the constraints, c × n.
+    pub Phi_q: DMatrix<f64>,
+    /// Multipliers, c.
+    pub lambda: DVector<f64>,
+    /// External forces, n.
+    pub f: DVector<f64>,
+}
+
+/// The value of a quantity of (23) in [`CONTENTS`](crate::equations::CONTENTS).
+///
+/// `None` where there is no such quantity, the printed form is not defined, or the matrix of (23) is singular.
+pub fn evaluate_system(quantity: &str, state: &SystemState) -> Option<Vec<f64>> {
+    let SystemState { m, q_ddot, kq, Phi_q, lambda, f } = state;
+    let force = || motion::constraint_force(Phi_q, lambda);
+    let force_printed = || motion::constraint_force_printed(Phi_q, lambda);
+    let residual = |force: &DVector<f64>| rows(&motion::system_residual(m, q_ddot, kq, force, f));
+    match quantity {
+        "23.constraint_force" => Some(rows(&force())),
+        "23.constraint_force/printed" => Some(rows(&force_printed()?)),
+        "23.residual" => Some(residual(&force())),
+        "23.residual/printed" => Some(residual(&force_printed()?)),
+        "23.acceleration" => Some(rows(&motion::system_acceleration(m, kq, Phi_q, f)?.0)),
+        "23.lambda" => Some(rows(&motion::system_acceleration(m, kq, Phi_q, f)?.1)),
         _ => None,
     }
 }

@@ -1,21 +1,38 @@
-//! Rods, pins and supports → numbering, assembly, loads.
+//! Rods, pins and supports → numbering, assembly, loads, constraint rows.
 //!
-//! The unknowns are the displacements u = q − q₀ of the nodal coordinates from the initial configuration. Rods that name
-//! the same point share its position (a pin) and keep their own slopes; a supported component is no unknown at all.
+//! The unknowns are the displacements u = q − q₀ of the nodal coordinates from the initial configuration. Two ways to keep
+//! rods together ([`Constraints`](crate::scene::Constraints)):
+//!
+//! * **condensed**: rods that meet at a point share its position and keep their own slopes; what a support holds is no
+//!   unknown at all. Supports in an oblique direction turn the axes of their nodal vector.
+//! * **multipliers**: every rod has all of its coordinates, and (23)'s multipliers λ stand among the unknowns. They have
+//!   no mass, no elastic force and no displacement: their entries of u, v and a are zero, those of a load or a residual
+//!   are constraint rows, and those of a solution are λ.
+//!
+//! Either way the matrices have one block a rod, bordered by what rods share ([`Bordered`]).
 
 mod build;
+mod constraints;
 mod frequency;
+mod mobility;
 mod numbering;
+mod probes;
+mod rod;
+mod unknowns;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use nalgebra::DVector;
+use nalgebra::{DVector, Vector2};
 
-use crate::equations::force::{Element, Matrix14};
+use self::rod::{Components, Rod};
+use crate::equations::force::Matrix14;
 use crate::equations::shape::Vector14;
-use crate::kernel::{Ends, Kernel, ThermalStrain};
-use crate::linear::BandMatrix;
-use crate::scene::{Temperature, ThermalModel};
+use crate::kernel::{Ends, ThermalStrain};
+use crate::linear::{Bordered, BorderedLu, Filling, Layout, SingularAt};
+use crate::scene::Force;
+
+pub use probes::Instant;
 
 /// What one unknown measures; its force is compared with others as a force over this length.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,53 +40,66 @@ enum Kind {
     Position,
     /// A slope, with the length (m) over which its moment acts: h for r_y, l for r_x.
     Slope(f64),
+    /// One of λ.
+    Multiplier,
 }
 
-/// What all elements of one rod share.
+/// A named point of the scene.
 #[derive(Clone, Debug)]
-struct RodElement {
-    element: Element,
-    kernel: Kernel,
-    mass: Matrix14,
-    gravity: Vector14,
+struct Point {
+    start: [f64; 2],
+    /// Its node in each of the rods that meet there, in the scene's order.
+    nodes: Vec<Node>,
 }
 
-/// An element's place in the structure.
-#[derive(Clone, Debug)]
-struct Place {
+/// A rod's node at a point: places of its position and of its r_y in the rod's chain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Node {
     rod: usize,
-    /// Unknown of each of the 14 coordinates, `None` where a support holds it.
-    unknowns: [Option<usize>; 14],
+    position: usize,
+    director: usize,
+}
+
+/// A row of Φ(q) = 0: Σ weight · displacement, the multiplier that keeps it, and whose unknowns it holds.
+#[derive(Clone, Debug)]
+struct ConstraintRow {
+    multiplier: usize,
+    /// Rod, unknown, weight.
+    terms: Vec<(usize, usize, f64)>,
 }
 
 /// A structure ready for statics and dynamics.
 #[derive(Clone, Debug)]
 pub struct Structure {
-    rods: Vec<RodElement>,
-    places: Vec<Place>,
+    rods: Vec<Rod>,
     kinds: Vec<Kind>,
-    points: BTreeMap<String, ([f64; 2], [Option<usize>; 2])>,
-    band: usize,
-    mass: BandMatrix,
+    points: BTreeMap<String, Point>,
+    /// There are none in the condensed form.
+    rows: Vec<ConstraintRow>,
+    layout: Arc<Layout>,
     gravity: DVector<f64>,
+    forces: Vec<Force>,
     start: DVector<f64>,
-    heat: Option<Heat>,
-    /// Force of a unit strain, N, moments over their own length.
-    unit_force: f64,
+    /// Statics: loads and heat grow with a factor in place of time.
+    grows: bool,
+    /// Force or moment of a unit strain on each unknown, N and N m.
+    unit_forces: DVector<f64>,
     /// Length of the shortest element, m.
     shortest: f64,
 }
 
-#[derive(Clone, Debug)]
-struct Heat {
-    temperature: Temperature,
-    alpha: f64,
-}
+/// Both ends of a step, with the thermal strains of the rods.
+pub type StepEnds<'a> = Ends<'a, DVector<f64>, &'a [ThermalStrain]>;
 
 impl Structure {
-    /// Number of unknowns.
+    /// Number of unknowns, multipliers among them.
     pub fn size(&self) -> usize {
         self.kinds.len()
+    }
+
+    /// Memory that one matrix with its factors takes, bytes.
+    pub fn matrix_bytes(&self) -> usize {
+        self.layout.bytes()
     }
 
     /// Displacement at t = 0: zero, or the stress-free one of a relaxed start.
@@ -78,8 +108,19 @@ impl Structure {
     }
 
     /// Mass matrix of the unknowns.
-    pub fn mass(&self) -> &BandMatrix {
-        &self.mass
+    pub fn mass(&self) -> Bordered {
+        self.assemble_matrix(|_, rod, _| rod.mass)
+    }
+
+    /// Its product with an acceleration (or a velocity), without the matrix.
+    pub fn inertia(&self, a: &DVector<f64>) -> DVector<f64> {
+        let mut sum = DVector::zeros(self.size());
+        for rod in &self.rods {
+            for element in 0..rod.elements {
+                rod.scatter(element, &(rod.mass * rod.gather(element, a)), &mut sum);
+            }
+        }
+        sum
     }
 
     /// Generalized force of gravity, constant.
@@ -87,132 +128,228 @@ impl Structure {
         &self.gravity
     }
 
-    /// Thermal strain (along, across) at time `t`.
-    pub fn thermal_strain(&self, t: f64) -> ThermalStrain {
-        let Some(Heat { temperature, alpha }) = &self.heat else { return [0.0; 2] };
-        let strain = alpha * temperature.at(t);
-        match temperature.model {
-            ThermalModel::TwoD => [strain, strain],
-            ThermalModel::OneD => [strain, 0.0],
-            ThermalModel::None => [0.0; 2],
+    /// Generalized force of the point forces at time `t`.
+    pub fn point_forces(&self, t: f64) -> DVector<f64> {
+        let mut sum = DVector::zeros(self.size());
+        for force in &self.forces {
+            self.components(&force.point).add(&Vector2::from(force.at(t)), &mut sum);
         }
+        sum
     }
 
-    /// A force vector's largest entry, N, moments taken over their own length (h or l).
+    /// All external forces at time `t`, in statics at the load factor `t`.
+    pub fn load(&self, t: f64) -> DVector<f64> {
+        let load = if self.forces.is_empty() { self.gravity.clone() } else { &self.gravity + self.point_forces(t) };
+        if self.grows { load * t } else { load }
+    }
+
+    /// Thermal strain (along, across) of each rod at time `t`, in statics at the load factor `t`.
+    pub fn thermal_strains(&self, t: f64) -> Vec<ThermalStrain> {
+        let strain =
+            |rod: &Rod| if self.grows { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) };
+        self.rods.iter().map(strain).collect()
+    }
+
+    /// A force vector's largest entry, N, moments taken over their own length (h or l); constraint rows are no forces.
     pub fn largest(&self, force: &DVector<f64>) -> f64 {
         let entries = force.iter().zip(&self.kinds).map(|(value, kind)| match kind {
             Kind::Position => value.abs(),
             Kind::Slope(length) => value.abs() / length,
+            Kind::Multiplier => 0.0,
         });
         // `f64::max` would drop a NaN.
         entries.fold(0.0, |largest, value| if value > largest || value.is_nan() { value } else { largest })
     }
 
-    /// Rounding error of the elastic forces at `u`, N, moments over their own length.
+    /// Whether no entry of a residual at `u` is above `times` the rounding error of the elastic forces.
     ///
-    /// A strain is made of differences of u over an element's length l, and u carries ε_mach |u|: the error is that strain,
-    /// ε_mach (1 + |u|/l), times the force of a unit strain.
-    pub fn rounding(&self, u: &DVector<f64>) -> f64 {
-        let largest = u.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position).map(|(u, _)| u.abs());
-        self.unit_force * f64::EPSILON * (1.0 + largest.fold(0.0, f64::max) / self.shortest)
+    /// A strain is made of differences of u over an element's length l and of slopes: it carries ε_mach times the larger
+    /// of |u|/l and |slope|, and a force that strain's share of the force of a unit strain.
+    pub fn within_rounding(&self, residual: &DVector<f64>, u: &DVector<f64>, times: f64) -> bool {
+        let size = |(u, kind): (&f64, &Kind)| match kind {
+            Kind::Position => u.abs() / self.shortest,
+            Kind::Slope(_) => u.abs(),
+            // During an iteration λ stands in its place: newtons, no strain.
+            Kind::Multiplier => 0.0,
+        };
+        let size = u.iter().zip(&self.kinds).map(size).fold(0.0, f64::max);
+        let floor = times * f64::EPSILON * size;
+        let mut entries = residual.iter().zip(&self.unit_forces).zip(&self.kinds);
+        entries.all(|((value, unit), kind)| *kind == Kind::Multiplier || value.abs() <= floor * unit)
     }
 
-    /// Position of a point of the scene.
-    pub fn position(&self, point: &str, u: &DVector<f64>) -> [f64; 2] {
-        let (start, _) = self.points[point];
-        let [x, y] = self.at_point(point, u);
-        [start[0] + x, start[1] + y]
+    /// Rounding error of an energy, J: ε_mach times the strain energy of a strain of 1.
+    pub fn energy_rounding(&self) -> f64 {
+        f64::EPSILON
+            * self.unit_forces.max()
+            * self.rods.iter().map(|rod| rod.elements as f64 * rod.element.l).sum::<f64>()
     }
 
-    /// A point's entries of a vector of unknowns, such as its velocity; zero where it is held.
-    pub fn at_point(&self, point: &str, vector: &DVector<f64>) -> [f64; 2] {
-        let (_, unknowns) = self.points[point];
-        unknowns.map(|unknown| unknown.map_or(0.0, |unknown| vector[unknown]))
-    }
-
-    /// Elastic forces into `sum`.
-    pub fn force(&self, u: &DVector<f64>, thermal: ThermalStrain, sum: &mut DVector<f64>) {
+    /// Elastic forces into `sum`, at the rods' thermal strains.
+    pub fn force(&self, u: &DVector<f64>, thermal: &[ThermalStrain], sum: &mut DVector<f64>) {
         sum.fill(0.0);
-        for place in &self.places {
-            let force = self.rods[place.rod].kernel.force(&place.gather(u), thermal);
-            place.scatter(&force, sum);
+        for (rod, thermal) in self.rods.iter().zip(thermal) {
+            for element in 0..rod.elements {
+                rod.scatter(element, &rod.kernel.force(&rod.gather(element, u), *thermal), sum);
+            }
         }
     }
 
     /// Tangent ∂Q/∂u.
-    pub fn tangent(&self, u: &DVector<f64>, thermal: ThermalStrain) -> BandMatrix {
-        self.assemble_matrix(|place, rod| rod.kernel.tangent(&place.gather(u), thermal))
+    pub fn tangent(&self, u: &DVector<f64>, thermal: &[ThermalStrain]) -> Bordered {
+        self.assemble_matrix(|n, rod, element| rod.kernel.tangent(&rod.gather(element, u), thermal[n]))
+    }
+
+    /// LU factors of `stiffness` · (tangent, with the constraints' forces where there are multipliers) + `mass` · M. `old` ones
+    /// give their memory, here and below.
+    ///
+    /// # Errors
+    /// The unknown with a vanishing pivot; [`place`](Structure::place) says where that is.
+    pub fn tangent_factors(
+        &self,
+        u: &DVector<f64>,
+        thermal: &[ThermalStrain],
+        [stiffness, mass]: [f64; 2],
+        old: Option<BorderedLu>,
+    ) -> Result<BorderedLu, SingularAt> {
+        let element = |n: usize, rod: &Rod, element: usize| {
+            stiffness * rod.kernel.tangent(&rod.gather(element, u), thermal[n]) + mass * rod.mass
+        };
+        self.factors(element, stiffness, old)
+    }
+
+    /// LU factors of the tangent for Newton's iteration with independent stresses: those that the iteration expected when it
+    /// went from `before` to `u` ([`Kernel::mixed_tangent`](crate::kernel::Kernel::mixed_tangent)).
+    ///
+    /// # Errors
+    /// Those of [`tangent_factors`](Structure::tangent_factors).
+    pub fn mixed_tangent_factors(
+        &self,
+        before: &DVector<f64>,
+        u: &DVector<f64>,
+        thermal: &[ThermalStrain],
+        old: Option<BorderedLu>,
+    ) -> Result<BorderedLu, SingularAt> {
+        let element = |n: usize, rod: &Rod, element: usize| {
+            rod.kernel.mixed_tangent(&rod.gather(element, before), &rod.gather(element, u), thermal[n])
+        };
+        self.factors(element, 1.0, old)
+    }
+
+    /// LU factors of the derivative of [`mean_force`](Structure::mean_force) with respect to `u_1`, + `mass` · M.
+    ///
+    /// # Errors
+    /// Those of [`tangent_factors`](Structure::tangent_factors).
+    pub fn mean_tangent_factors(
+        &self,
+        step: &StepEnds,
+        mass: f64,
+        old: Option<BorderedLu>,
+    ) -> Result<BorderedLu, SingularAt> {
+        let element = |n: usize, rod: &Rod, element: usize| {
+            rod.over(step, n, element, |ends| rod.kernel.mean_tangent(&ends)) + mass * rod.mass
+        };
+        self.factors(element, 1.0, old)
+    }
+
+    /// LU factors of the mass matrix, with the constraints where there are multipliers.
+    ///
+    /// # Errors
+    /// Those of [`tangent_factors`](Structure::tangent_factors).
+    pub fn mass_factors(&self) -> Result<BorderedLu, SingularAt> {
+        self.factors(|_, rod, _| rod.mass, 1.0, None)
+    }
+
+    /// LU factors of a matrix by its elements; `constraint` is the factor of Φ_qᵀ beside it.
+    fn factors(
+        &self,
+        element: impl Fn(usize, &Rod, usize) -> Matrix14,
+        constraint: f64,
+        old: Option<BorderedLu>,
+    ) -> Result<BorderedLu, SingularAt> {
+        if self.rows.is_empty() {
+            return Bordered::lu_block_by_block(&self.layout, old, |n, block| self.fill(n, block, &element));
+        }
+        // Where coordinates stand beside multipliers, rows and columns of all blocks have to be scaled first.
+        let mut matrix = self.assemble_matrix(element);
+        self.add_constraints(constraint, &mut matrix);
+        matrix.equilibrated_lu()
+    }
+
+    /// Adds the matrices of a rod's elements to its block.
+    fn fill(&self, n: usize, block: &mut Filling, matrix: impl Fn(usize, &Rod, usize) -> Matrix14) {
+        let rod = &self.rods[n];
+        for element in 0..rod.elements {
+            let vectors = rod.vectors(element);
+            let unknowns: [Option<usize>; 14] = std::array::from_fn(|i| vectors[i / 2].unknowns[i % 2]);
+            block.add_dense(unknowns, &rod.turned(element, matrix(n, rod, element)));
+        }
     }
 
     /// Step-averaged elastic forces of the energy–momentum rule into `sum`.
-    pub fn mean_force(&self, step: &Ends<DVector<f64>>, sum: &mut DVector<f64>) {
+    pub fn mean_force(&self, step: &StepEnds, sum: &mut DVector<f64>) {
         sum.fill(0.0);
-        for place in &self.places {
-            let force = place.over(step, |ends| self.rods[place.rod].kernel.mean_force(&ends));
-            place.scatter(&force, sum);
+        for (n, rod) in self.rods.iter().enumerate() {
+            for element in 0..rod.elements {
+                let force = rod.over(step, n, element, |ends| rod.kernel.mean_force(&ends));
+                rod.scatter(element, &force, sum);
+            }
         }
-    }
-
-    /// Derivative of [`mean_force`](Structure::mean_force) with respect to `u_1`.
-    pub fn mean_tangent(&self, step: &Ends<DVector<f64>>) -> BandMatrix {
-        self.assemble_matrix(|place, rod| place.over(step, |ends| rod.kernel.mean_tangent(&ends)))
     }
 
     /// Strain energy, J.
-    pub fn strain_energy(&self, u: &DVector<f64>, thermal: ThermalStrain) -> f64 {
-        self.places.iter().map(|place| self.rods[place.rod].kernel.energy(&place.gather(u), thermal)).sum()
+    pub fn strain_energy(&self, u: &DVector<f64>, thermal: &[ThermalStrain]) -> f64 {
+        let energy = |(rod, thermal): (&Rod, &ThermalStrain)| -> f64 {
+            (0..rod.elements).map(|element| rod.kernel.energy(&rod.gather(element, u), *thermal)).sum()
+        };
+        self.rods.iter().zip(thermal).map(energy).sum()
     }
 
-    /// Kinetic energy, J.
+    /// Kinetic energy of velocities `v`, J.
     pub fn kinetic_energy(&self, v: &DVector<f64>) -> f64 {
-        0.5 * v.dot(&self.mass.mul(v))
+        0.5 * v.dot(&self.inertia(v))
     }
 
     /// Energy that heating puts in over a step, J.
-    pub fn heating_work(&self, step: &Ends<DVector<f64>>) -> f64 {
-        let work = |place: &Place| place.over(step, |ends| self.rods[place.rod].kernel.heating_work(&ends));
-        self.places.iter().map(work).sum()
+    pub fn heating_work(&self, step: &StepEnds) -> f64 {
+        let work = |(n, rod): (usize, &Rod)| -> f64 {
+            (0..rod.elements).map(|element| rod.over(step, n, element, |ends| rod.kernel.heating_work(&ends))).sum()
+        };
+        self.rods.iter().enumerate().map(work).sum()
     }
 
-    fn assemble_vector(&self, f: impl Fn(&Place, &RodElement) -> Vector14) -> DVector<f64> {
+    /// Where an unknown is, in words.
+    pub fn place(&self, unknown: usize) -> String {
+        let is_it = |vector: &Components, unknown| vector.unknowns.contains(&Some(unknown));
+        let point_of = |unknown| {
+            let its_node = |node: &Node| is_it(&self.rods[node.rod].chain[node.position], unknown);
+            self.points.iter().find(|(_, point)| point.nodes.iter().any(its_node)).map(|(name, _)| name)
+        };
+        if let Some(row) = self.rows.iter().find(|row| row.multiplier == unknown) {
+            let at = row.terms.iter().find_map(|&(_, unknown, _)| point_of(unknown));
+            return at.map_or("a clamp".into(), |name| format!("a pin or support of the point `{name}`"));
+        }
+        let rod = || self.rods.iter().find(|rod| rod.chain.iter().any(|vector| is_it(vector, unknown)));
+        match point_of(unknown) {
+            Some(name) => format!("the point `{name}`"),
+            None => rod().map_or("no unknown".into(), |rod| format!("the rod `{}`", rod.name)),
+        }
+    }
+
+    fn assemble_vector(&self, f: impl Fn(&Rod) -> Vector14) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
-        for place in &self.places {
-            place.scatter(&f(place, &self.rods[place.rod]), &mut sum);
+        for rod in &self.rods {
+            (0..rod.elements).for_each(|element| rod.scatter(element, &f(rod), &mut sum));
         }
         sum
     }
 
-    fn assemble_matrix(&self, f: impl Fn(&Place, &RodElement) -> Matrix14) -> BandMatrix {
-        let mut sum = BandMatrix::zeros(self.size(), self.band);
-        for place in &self.places {
-            let matrix = f(place, &self.rods[place.rod]);
-            for (j, column) in place.unknowns.iter().enumerate() {
-                for (i, row) in place.unknowns.iter().enumerate() {
-                    if let (Some(row), Some(column)) = (*row, *column) {
-                        sum.add(row, column, matrix[(i, j)]);
-                    }
-                }
-            }
+    /// Sum of the elements' matrices, as `f` gives them for the number of a rod, the rod and an element's number.
+    fn assemble_matrix(&self, f: impl Fn(usize, &Rod, usize) -> Matrix14) -> Bordered {
+        let mut sum = Bordered::zeros(&self.layout);
+        for n in 0..self.rods.len() {
+            self.fill(n, &mut sum.block(n), &f);
         }
         sum
-    }
-}
-
-impl Place {
-    fn gather(&self, u: &DVector<f64>) -> Vector14 {
-        Vector14::from_fn(|i, _| self.unknowns[i].map_or(0.0, |unknown| u[unknown]))
-    }
-
-    fn scatter(&self, element: &Vector14, sum: &mut DVector<f64>) {
-        for (unknown, value) in self.unknowns.iter().zip(element) {
-            if let Some(unknown) = *unknown {
-                sum[unknown] += value;
-            }
-        }
-    }
-
-    fn over<T>(&self, step: &Ends<DVector<f64>>, f: impl Fn(Ends<Vector14>) -> T) -> T {
-        let (u_0, u_1) = (self.gather(step.u_0), self.gather(step.u_1));
-        f(Ends { u_0: &u_0, u_1: &u_1, thermal_0: step.thermal_0, thermal_1: step.thermal_1 })
     }
 }

@@ -25,6 +25,43 @@ const GOOD: &str = r#"{
 }
 "#;
 
+/// Two rods like an X with everything that structures have; a base for changes like [`GOOD`].
+const CROSS: &str = r#"{
+  "schema": "ancf-scene/1",
+  "notes": ["two rods", "one pin"],
+  "material": {"E": 2e8, "nu": 0.3, "rho": 7750.0, "alpha": 2.5e-5},
+  "section": {"height": 0.02, "width": 0.03},
+  "points": {"p": [0.0, 0.0], "q": [2.0, 2.0], "r": [0.0, 2.0], "s": [2.0, 0.0]},
+  "rods": [{"name": "up", "from": "p", "to": "q", "pivot": "m"},
+    {"name": "down", "from": "r", "to": "s", "pivot": "m",
+     "material": {"E": 3e8, "nu": 0.1, "rho": 2700.0, "alpha": -5e-5}, "section": {"height": 0.01, "width": 0.04},
+     "temperature": {"model": "1d", "start": "sudden", "history": [[0.0, 20.0], [1.5, -30.0]]}}],
+  "supports": [{"point": "p", "fix": ["x", "y"], "clamp": "up"}, {"point": "s", "slide": [3.0, 4.0]}],
+  "forces": [{"point": "m", "force": [1.5, -2.5], "history": [[0.0, 0.0], [0.1, 1.0]]}],
+  "temperature": {"history": [[0.0, 40.0]]},
+  "constraints": "multipliers",
+  "time": {"end": 0.002, "step": 1e-3, "method": "generalized-alpha", "load_steps": 7},
+  "probes": [{"name": "pin", "point": "m", "rod": "up", "of": ["reaction"]},
+    {"name": "foot", "point": "p", "of": ["reaction"]},
+    {"name": "bend", "rod": "down", "at": 0.25, "of": ["deflection"]}]
+}
+"#;
+
+/// A cantilever in equilibrium; a base for changes like [`GOOD`].
+const STILL: &str = r#"{
+  "schema": "ancf-scene/1",
+  "material": {"E": 2e8, "nu": 0.3, "rho": 7750.0, "alpha": 2.5e-5},
+  "section": {"height": 0.02, "width": 0.03},
+  "points": {"o": [0.0, 0.0], "a": [1.0, 0.0]},
+  "rods": [{"name": "rod", "from": "o", "to": "a"}],
+  "supports": [{"point": "o", "fix": ["x", "y"], "clamp": "rod"}],
+  "forces": [{"point": "a", "force": [0.0, -0.5]}],
+  "temperature": {"history": [[0.0, 20.0]]},
+  "time": {"method": "static"},
+  "probes": [{"name": "tip", "point": "a", "of": ["position"]}]
+}
+"#;
+
 /// Runs `text` as the file `case.json` and returns what the binary said; the output folder is `out` in `folder`.
 fn run(folder: &Path, text: &[u8]) -> Output {
     let file = folder.join("case.json");
@@ -49,19 +86,28 @@ fn refused_text(text: &[u8], parts: &[&str]) {
 
 /// [`GOOD`] with `from`, which it holds once, replaced by `to`.
 fn changed(from: &str, to: &str) -> String {
-    assert_eq!(GOOD.matches(from).count(), 1, "{from:?}");
-    GOOD.replace(from, to)
+    changed_in(GOOD, from, to)
+}
+
+/// `base` with `from`, which it holds once, replaced by `to`.
+fn changed_in(base: &str, from: &str, to: &str) -> String {
+    assert_eq!(base.matches(from).count(), 1, "{from:?}");
+    base.replace(from, to)
 }
 
 /// Tests of one changed place each: what it was => what it is; line, key and value as they are quoted; what is allowed.
+/// The scene that is changed is [`GOOD`], or the one named first.
 macro_rules! refused {
     ($($name:ident: $from:literal => $to:literal; $line:literal, $key_and_value:literal; $allowed:literal)+) => {
+        refused! { in GOOD; $($name: $from => $to; $line, $key_and_value; $allowed)+ }
+    };
+    (in $base:ident; $($name:ident: $from:literal => $to:literal; $line:literal, $key_and_value:literal; $allowed:literal)+) => {
         $(
             #[test]
             fn $name() {
                 let line = concat!("case.json:", $line, ":");
                 let key_and_value = concat!(": ", $key_and_value, "; allowed: ");
-                refused_text(changed($from, $to).as_bytes(), &[line, key_and_value, $allowed]);
+                refused_text(changed_in($base, $from, $to).as_bytes(), &[line, key_and_value, $allowed]);
             }
         )+
     };
@@ -106,7 +152,7 @@ refused! {
     key_that_begins_like_another: r#""o": [0.0, 0.0], "apex": [0.5, 0.0]"# => r#""ap": [0.0, 0.0], "apex": [0.5, "x"]"#; 6, "`points.apex[1]` is \"x\""; "a number"
     point_with_one_coordinate: "[0.5, 0.0]" => "[0.5]"; 6, "`points.apex` is [0.5]"; "two numbers"
     point_with_three_coordinates: "[0.5, 0.0]" => "[0.5, 0.0, 0.0]"; 6, "`points.apex` is [0.5, 0.0, 0.0]"; "two numbers"
-    unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`; nearest: `"
+    unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`, `static`; nearest: `"
     number_for_a_word: r#""energy-momentum""# => "4"; 11, "`time.method` is 4"; "`generalized-alpha`, `energy-momentum`, `explicit`"
     object_for_a_word: r#""2d""# => r#"{"2d": null}"#; 10, "`temperature.model` is {\"2d\": null}"; "`2d`, `1d`, `none`"
     nan: r#""nu": 0.3"# => r#""nu": NaN"#; 4, "`material.nu` is NaN"; "numbers are finite"
@@ -152,6 +198,7 @@ refused! {
     unknown_point_of_a_rod: r#""to": "apex""# => r#""to": "apx""#; 7, "`rods[0].to` is \"apx\""; "nearest: `apex`"
     unknown_point_of_a_support: r#""point": "o""# => r#""point": "0""#; 8, "`supports[0].point` is \"0\""; "the name of a point in `points`"
     unknown_point_of_a_probe: r#""point": "apex""# => r#""point": "tip""#; 13, "`probes[0].point` is \"tip\""; "the name of a point in `points`"
+    missing_end: r#""end": 0.002, "# => ""; 11, "`time.end` is missing"; "a value here, the key is required"
     zero_length_rod: r#"{"o": [0.0, 0.0], "apex": [0.5, 0.0]}"# => r#"{"o": [3.0, 4.0], "apex": [3.0, 4.0]}"#; 7, "`rods[0].to` is \"apex\""; "a point further from `o` than 1e-9 of their coordinates; the rod's length is 0.0 m"
     rod_to_its_own_start: r#""to": "apex""# => r#""to": "o""#; 7, "`rods[0].to` is \"o\""; "another point than `from`"
     no_elements: r#""elements": 2"# => r#""elements": 0"#; 7, "`rods[0].elements` is 0"; "a whole number from 1 to 100000"
@@ -165,11 +212,112 @@ refused! {
     support_without_directions: r#"["x"]"# => "[]"; 8, "`supports[0].fix` is []"; "at least one entry"
     support_with_a_direction_twice: r#"["x"]"# => r#"["x", "x"]"#; 8, "`supports[0].fix[1]` is \"x\""; "each word once"
     support_with_an_unknown_direction: r#"["x"]"# => r#"["z"]"#; 8, "`supports[0].fix[0]` is \"z\""; "`x`, `y`"
-    point_supported_twice: r#""fix": ["x"]}"# => r#""fix": ["x"]}, {"point": "o", "fix": ["y"]}"#; 8, "`supports[1].point` is \"o\""; "each name once; supports[0] has this one"
     probe_of_nothing: r#"["position"]"# => "[]"; 13, "`probes[0].of` is []"; "at least one entry"
     probe_of_one_quantity_twice: r#"["position"]"# => r#"["position", "position"]"#; 13, "`probes[0].of[1]` is \"position\""; "each word once"
     probes_of_one_name: r#"["position"]}"# => r#"["position"]}, {"name": "tip", "point": "o", "of": ["velocity"]}"#; 13, "`probes[1].name` is \"tip\""; "each name once; probes[0] has this one"
     title_in_two_lines: "one heated rod" => "one\\nrod"; 3, "`title` is \"one\\nrod\""; "a text in one line"
+}
+
+// Rods of a structure.
+refused! {
+    in CROSS;
+    note_in_two_lines: r#""one pin""# => r#""one\npin""#; 3, "`notes[1]` is \"one\\npin\""; "a text in one line"
+    modulus_of_a_rod: "3e8" => "0.0"; 9, "`rods[1].material.E` is 0.0"; "over 0"
+    poissons_ratio_of_a_rod: r#""nu": 0.1"# => r#""nu": 0.5"#; 9, "`rods[1].material.nu` is 0.5"; "between -1 and 0.5"
+    density_of_a_rod: "2700.0" => "-2700.0"; 9, "`rods[1].material.rho` is -2700.0"; "over 0"
+    height_of_a_rod: r#""height": 0.01"# => r#""height": 0.0"#; 9, "`rods[1].section.height` is 0.0"; "over 0"
+    width_of_a_rod: r#""width": 0.04"# => r#""width": -1"#; 9, "`rods[1].section.width` is -1"; "over 0"
+    unknown_key_of_a_rods_material: r#""nu": 0.1"# => r#""mu": 0.1"#; 9, "`rods[1].material.mu` is an unknown key (value 0.1)"; "nearest: `nu`"
+    null_for_a_rods_section: r#"{"height": 0.01, "width": 0.04}"# => "null"; 9, "`rods[1].section` is null"; "an object"
+    missing_alpha_of_a_heated_rod: r#", "alpha": -5e-5"# => ""; 9, "`rods[1].material.alpha` is missing"; "a number; `rods[1].temperature` needs it"
+    missing_alpha_of_the_scene: r#", "alpha": 2.5e-5"# => ""; 4, "`material.alpha` is missing"; "a number; `temperature` needs it"
+    too_hot_for_a_rods_own_alpha: "20.0]" => "10000.0]"; 10, "`rods[1].temperature.history[0][1]` is 10000.0"; "dT under 1.000000e4 K, where 1 + 2 alpha dT stays positive in the rod `down`"
+    too_cold_for_the_scenes_alpha: "40.0]" => "-20000.0]"; 13, "`temperature.history[0][1]` is -20000.0"; "dT over -2.000000e4 K, where 1 + 2 alpha dT stays positive in the rod `up`"
+    times_of_a_rods_heat_out_of_order: "[1.5, -30.0]" => "[0.0, -30.0]"; 10, "`rods[1].temperature.history[1][0]` is 0.0"; "a time after the 0.0 s before it"
+    no_history_of_a_rods_heat: r#", "history": [[0.0, 20.0], [1.5, -30.0]]"# => ""; 10, "`rods[1].temperature.history` is []"; "at least one pair [t, dT]"
+    relaxed_start_of_a_pinned_rod: r#""sudden""# => r#""relaxed""#; 10, "`rods[1].temperature.start` is \"relaxed\""; "points held 2"
+    pivot_with_the_name_of_a_point: r#""s", "pivot": "m""# => r#""s", "pivot": "q""#; 8, "`rods[1].pivot` is \"q\""; "a name that no point in `points` has"
+    rod_pinned_to_its_own_end: r#""q", "pivot": "m""# => r#""q", "pivot": "p""#; 7, "`rods[0].pivot` is \"p\""; "a name that no point in `points` has"
+    pivot_of_one_rod: r#""s", "pivot": "m""# => r#""s", "pivot": "n""#; 7, "`rods[0].pivot` is \"m\""; "a name that at least two rods have as their `pivot`"
+    pivot_without_a_name: r#""s", "pivot": "m""# => r#""s", "pivot": """#; 8, "`rods[1].pivot` is \"\""; "a name without"
+    null_for_a_pivot: r#""s", "pivot": "m""# => r#""s", "pivot": null"#; 8, "`rods[1].pivot` is null"; "a string"
+    pivot_at_two_places: r#""s": [2.0, 0.0]"# => r#""s": [2.0, 0.5]"#; 8, "`rods[1].pivot` is \"m\""; "rods whose middles are at one place: `up` has its middle at [1.0, 1.0], `down` at [1.0, 1.25]"
+    pivot_listed_as_a_point: r#""s": [2.0, 0.0]"# => r#""s": [2.0, 0.0], "m": [1.0, 1.0]"#; 6, "`points.m` is [1.0, 1.0]"; "only points that a rod has as its `from` or `to`"
+    rod_that_ends_at_a_pivot: r#""to": "s""# => r#""to": "m""#; 8, "`rods[1].to` is \"m\""; "the name of a point in `points`"
+}
+
+// Supports of a structure.
+refused! {
+    in CROSS;
+    support_of_nothing: r#"{"point": "s", "slide": [3.0, 4.0]}"# => r#"{"point": "s"}"#; 11, "`supports[1].fix` is missing"; "at least one entry, or `slide` or `clamp` in its place"
+    support_of_an_unknown_point: r#""point": "s""# => r#""point": "n""#; 11, "`supports[1].point` is \"n\""; "the name of a point in `points` or of a rod's pivot; nearest: `"
+    slide_along_nothing: "[3.0, 4.0]" => "[0.0, -0.0]"; 11, "`supports[1].slide` is [0.0, -0.0]"; "a direction that is not zero"
+    slide_that_is_no_pair: "[3.0, 4.0]" => "[3.0]"; 11, "`supports[1].slide` is [3.0]"; "two numbers"
+    clamp_of_an_unknown_rod: r#""clamp": "up""# => r#""clamp": "upp""#; 11, "`supports[0].clamp` is \"upp\""; "the name of a rod; nearest: `up`"
+    clamp_of_a_rod_elsewhere: r#""clamp": "up""# => r#""clamp": "down""#; 11, "`supports[0].clamp` is \"down\""; "a rod that has `p` as its `from`, `to` or `pivot`"
+    direction_held_twice: r#"{"point": "s", "slide": [3.0, 4.0]}"# => r#"{"point": "s", "fix": ["x"]}, {"point": "p", "fix": ["x"]}"#; 11, "`supports[2].fix[0]` is \"x\""; "directions that no other support holds at `p`: supports[2].fix is redundant beside supports[0].fix"
+    slide_that_holds_what_is_fixed: "[3.0, 4.0]}" => r#"[0.0, 2.0]}, {"point": "s", "fix": ["x"]}"#; 11, "`supports[2].fix[0]` is \"x\""; "at `s`: supports[2].fix is redundant beside supports[1].slide"
+    slide_along_what_is_fixed: "[3.0, 4.0]}" => r#"[0.0, 2.0]}, {"point": "s", "fix": ["y"]}"#; 11, "`supports[2].fix[0]` is \"y\""; "at `s`: supports[2].fix contradicts supports[1].slide"
+    slide_of_a_fixed_point: "[3.0, 4.0]}" => r#"[3.0, 4.0]}, {"point": "p", "slide": [1.0, 1.0]}"#; 11, "`supports[2].slide` is [1.0, 1.0]"; "at `p`: supports[2].slide contradicts supports[0].fix"
+    slide_along_an_axis_of_a_fixed_point: "[3.0, 4.0]}" => r#"[3.0, 4.0]}, {"point": "p", "slide": [0.0, 1.0]}"#; 11, "`supports[2].slide` is [0.0, 1.0]"; "at `p`: supports[2].slide contradicts supports[0].fix"
+    slide_and_fix_of_one_support: r#""slide": [3.0, 4.0]"# => r#""slide": [3.0, 4.0], "fix": ["y"]"#; 11, "`supports[1].slide` is [3.0, 4.0]"; "at `s`: supports[1].slide contradicts supports[1].fix"
+    slide_that_is_almost_along_an_axis: "[3.0, 4.0]}" => r#"[1e-10, 2.0]}, {"point": "s", "fix": ["x"]}"#; 11, "`supports[2].fix[0]` is \"x\""; "at `s`: supports[2].fix is redundant beside supports[1].slide"
+    slide_that_is_not_quite_along_an_axis: "[3.0, 4.0]}" => r#"[1e-8, 2.0]}, {"point": "s", "fix": ["x"]}"#; 11, "`supports[2].fix[0]` is \"x\""; "at `s`: supports[2].fix contradicts supports[1].slide"
+    two_slides: "[3.0, 4.0]}" => r#"[3.0, 4.0]}, {"point": "s", "slide": [4.0, -3.0]}"#; 11, "`supports[2].slide` is [4.0, -3.0]"; "at `s`: supports[2].slide contradicts supports[1].slide"
+    two_slides_along_one_line: "[3.0, 4.0]}" => r#"[3.0, 4.0]}, {"point": "s", "slide": [-6e200, -8e200]}"#; 11, "`supports[2].slide` is [-6e200, -8e200]"; "at `s`: supports[2].slide is redundant beside supports[1].slide"
+    two_clamps_of_a_rod: "[3.0, 4.0]}" => r#"[3.0, 4.0]}, {"point": "p", "clamp": "up"}"#; 11, "`supports[2].clamp` is \"up\""; "a rod that no other support clamps at `p`: supports[2] is redundant beside supports[0]"
+}
+
+// Forces and constraints of a structure.
+refused! {
+    in CROSS;
+    force_at_an_unknown_point: r#""point": "m", "force""# => r#""point": "mm", "force""#; 12, "`forces[0].point` is \"mm\""; "of a rod's pivot; nearest: `m`"
+    force_that_is_no_number: "1.5, -2.5" => "1.5, NaN"; 12, "`forces[0].force[1]` is NaN"; "numbers are finite"
+    force_without_history_in_its_list: "[[0.0, 0.0], [0.1, 1.0]]" => "[]"; 12, "`forces[0].history` is []"; "at least one pair [t, factor]"
+    null_for_a_forces_history: "[[0.0, 0.0], [0.1, 1.0]]" => "null"; 12, "`forces[0].history` is null"; "a list"
+    times_of_a_force_out_of_order: "[0.1, 1.0]" => "[-0.1, 1.0]"; 12, "`forces[0].history[1][0]` is -0.1"; "a time after the 0.0 s before it"
+    unknown_constraints: r#""multipliers""# => r#""penalty""#; 14, "`constraints` is \"penalty\""; "`condensed`, `multipliers`"
+    multipliers_with_another_method: "generalized-alpha" => "energy-momentum"; 14, "`constraints` is \"multipliers\""; "needs the method \"generalized-alpha\" (here: \"energy-momentum\")"
+    no_load_steps: r#""load_steps": 7"# => r#""load_steps": 0"#; 15, "`time.load_steps` is 0"; "a whole number from 1 to 1000000"
+    too_many_load_steps: r#""load_steps": 7"# => r#""load_steps": 1000001"#; 15, "`time.load_steps` is 1000001"; "a whole number from 1 to 1000000"
+    load_steps_in_parts: r#""load_steps": 7"# => r#""load_steps": 7.5"#; 15, "`time.load_steps` is 7.5"; "a whole number"
+}
+
+// Probes of a structure.
+refused! {
+    in CROSS;
+    probe_of_neither_point_nor_rod: r#""rod": "down", "at""# => r#""at""#; 18, "`probes[2].point` is missing"; "the name of a point, or `rod` and `at` for a place on a rod"
+    probe_of_a_rod_without_a_place: r#" "at": 0.25,"# => ""; 18, "`probes[2].at` is missing"; "a number from 0 to 1"
+    probe_before_a_rods_start: "0.25" => "-0.25"; 18, "`probes[2].at` is -0.25"; "a number from 0 to 1"
+    probe_behind_a_rods_end: "0.25" => "1.0000001"; 18, "`probes[2].at` is 1.0000001"; "a number from 0 to 1"
+    probe_of_a_place_and_a_point: r#""rod": "down", "at""# => r#""point": "m", "rod": "down", "at""#; 18, "`probes[2].at` is 0.25"; "nothing beside `point`"
+    probe_of_an_unknown_rod: r#""rod": "down", "at""# => r#""rod": "dawn", "at""#; 18, "`probes[2].rod` is \"dawn\""; "the name of a rod; nearest: `down`"
+    position_of_a_place_on_a_rod: r#"["deflection"]"# => r#"["deflection", "position"]"#; 18, "`probes[2].of[1]` is \"position\""; "\"deflection\" on a rod; the other quantities need a `point`"
+    deflection_of_a_point: r#""point": "p", "of": ["reaction"]"# => r#""point": "p", "of": ["deflection"]"#; 17, "`probes[1].of[0]` is \"deflection\""; "a deflection has `rod` and `at`, without `point`"
+    reaction_of_a_free_point: r#""point": "p", "of""# => r#""point": "q", "of""#; 17, "`probes[1].of[0]` is \"reaction\""; "a point that a support holds, or with `rod` for the force of a pin on that rod"
+    reaction_on_a_rod_elsewhere: r#""point": "m", "rod": "up""# => r#""point": "s", "rod": "up""#; 16, "`probes[0].rod` is \"up\""; "a rod that has `s` as its `from`, `to` or `pivot`"
+    position_on_a_rod_at_a_pin: r#""rod": "up", "of": ["reaction"]"# => r#""rod": "up", "of": ["position"]"#; 16, "`probes[0].of[0]` is \"position\""; "\"reaction\" only beside `rod`"
+}
+
+// Statics.
+refused! {
+    in STILL;
+    end_of_statics: r#""method""# => r#""end": 2.0, "method""#; 10, "`time.end` is 2.0"; "1, or nothing: with the method \"static\""
+    force_with_a_history_in_statics: "-0.5]" => r#"-0.5], "history": [[0.0, 1.0]]"#; 8, "`forces[0].history` is [[0.0, 1.0]]"; "no history with the method \"static\""
+    heat_with_a_history_in_statics: "20.0]" => "20.0], [1.0, 30.0]"; 9, "`temperature.history` is [[0.0, 20.0], [1.0, 30.0]]"; "a single pair [t, dT] with the method \"static\""
+    heat_of_a_rod_with_a_history_in_statics: r#""to": "a""# => r#""to": "a", "temperature": {"history": [[0, 1], [2, 3]]}"#; 6, "`rods[0].temperature.history` is [[0, 1], [2, 3]]"; "a single pair [t, dT]"
+    relaxed_start_of_statics: r#"{"history""# => r#"{"start": "relaxed", "history""#; 9, "`temperature.start` is \"relaxed\""; "heat grows from nothing, and has no start"
+    interval_in_statics: r#"  "probes""# => r#"  "output": {"interval": 0.1}, "probes""#; 11, "`output.interval` is 0.1"; "every load step is a row"
+    velocity_in_statics: r#"["position"]"# => r#"["position", "velocity"]"#; 11, "`probes[0].of[1]` is \"velocity\""; "with the method \"static\" nothing moves"
+    acceleration_in_statics: r#"["position"]"# => r#"["acceleration"]"#; 11, "`probes[0].of[0]` is \"acceleration\""; "with the method \"static\" nothing moves"
+    multipliers_in_statics: r#"  "time""# => r#"  "constraints": "multipliers", "time""#; 10, "`constraints` is \"multipliers\""; "(here: \"static\")"
+}
+
+#[test]
+fn the_unchanged_structures_are_valid() {
+    for text in [CROSS, STILL] {
+        ancf::scene::Scene::parse(text, "case.json").unwrap();
+    }
 }
 
 #[test]
@@ -201,6 +349,20 @@ fn elements_of_all_rods_count_together() {
 fn more_numbers_than_the_memory_holds() {
     let text = changed("1e-3", "1e-11").replace("\"interval\": 0.002, ", "");
     refused_text(text.as_bytes(), &["`output.interval` is 1e-11; allowed: at least 1.600e-10 s"]);
+}
+
+/// 195 columns in half a million rows; the most that is allowed is only read, not run.
+#[test]
+fn more_load_steps_than_the_memory_holds() {
+    let probe = |i| format!(r#"{{"name": "{i}", "point": "a", "of": ["position"]}}"#);
+    let probes = (0..96).map(probe).collect::<Vec<_>>().join(",");
+    let text = changed_in(STILL, "\"probes\": [", &format!("\"probes\": [{probes},"));
+    let steps = |count| changed_in(&text, "\"static\"", &format!("\"static\", \"load_steps\": {count}"));
+    refused_text(
+        steps(512_821).as_bytes(),
+        &["`time.load_steps` is 512821; allowed: at most 512820: 195 columns, and 1e8 numbers at most"],
+    );
+    ancf::scene::Scene::parse(&steps(512_820), "case.json").unwrap();
 }
 
 #[test]

@@ -7,7 +7,7 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use ancf::scene::{Scene, builtin_names};
+use ancf::scene::{Scene, Scissors, ThermalModel, builtin_names};
 use serde_json::Value;
 
 fn ancf(folder: &Path, arguments: &[&str]) -> Output {
@@ -30,9 +30,13 @@ fn entries(folder: &Path) -> Vec<String> {
 fn scenes_lists_names_and_titles() {
     let folder = tempfile::tempdir().unwrap();
     let list = stdout(ancf(folder.path(), &["scenes"]));
-    assert_eq!(list.lines().count(), builtin_names().count());
+    assert_eq!(list.lines().count(), builtin_names().count() + 1);
     for (line, name) in list.lines().zip(builtin_names()) {
         assert!(line.starts_with(name) && line.ends_with(&Scene::builtin(name).unwrap().title), "{line}");
+    }
+    let last = list.lines().last().unwrap();
+    for part in ["scissors-<n> ", "scissors-<n>-thermal", "--angle", "--force", "--temperature"] {
+        assert!(last.contains(part), "no {part:?} in: {last}");
     }
     assert!(entries(folder.path()).is_empty());
 }
@@ -47,6 +51,51 @@ fn a_printed_scene_is_a_file_to_start_from() {
 }
 
 #[test]
+fn scissors_are_printed_in_any_number_and_as_the_options_say() {
+    let folder = tempfile::tempdir().unwrap();
+    let printed = |arguments: &[&str]| {
+        let text = stdout(ancf(folder.path(), &[&["scene"], arguments].concat()));
+        Scene::parse(&text, "printed").unwrap()
+    };
+    assert_eq!(printed(&["scissors-10"]), Scene::load("scissors-10").unwrap());
+    let options = ["--angle", "70", "--force", "-20.5", "--temperature", "1d"];
+    let changed = Scissors { angle: 70.0, force: -20.5, model: ThermalModel::OneD, ..Scissors::new(4) };
+    assert_eq!(printed(&[&["scissors-4"][..], &options].concat()), changed.scene().unwrap());
+    // An option that is not given leaves what the name says.
+    let cold = Scissors { angle: 70.0, ..Scissors::new(3) };
+    assert_eq!(printed(&["scissors-3-thermal", "--temperature", "none", "--angle", "70"]), cold.scene().unwrap());
+    let heated = Scissors { force: 20.0, model: ThermalModel::TwoD, ..Scissors::new(3) };
+    assert_eq!(printed(&["scissors-3-thermal", "--force", "20"]), heated.scene().unwrap());
+}
+
+#[test]
+fn options_of_scissors_that_do_not_fit_are_exit_code_2() {
+    let folder = tempfile::tempdir().unwrap();
+    let cases = [
+        (&["scissors-3", "--angle", "90"][..], "scissors-3: `angle` is 90.0; allowed: a number between 0 and 90"),
+        (&["scissors-3", "--angle", "steep"], "invalid value 'steep' for '--angle <DEGREES>'"),
+        (&["scissors-3", "--force", "NaN"], "`force` is NaN; allowed: a finite number"),
+        (&["scissors-3", "--temperature", "3d"], "[possible values: 2d, 1d, none]"),
+        (&["scissors-6251"], "`scissors-<n>` is 6251; allowed: a whole number from 1 to 6250"),
+        (
+            &["pendulum-2d", "--angle", "70"],
+            "pendulum-2d: `--angle` is 70; allowed: this option for the scenes `scissors-<n>`",
+        ),
+        (&["pendulum-2d", "--temperature", "none"], "`--temperature` is none; allowed: this option"),
+        (&["mine.json", "--force", "1"], "mine.json: `--force` is 1; allowed: this option"),
+    ];
+    for command in ["scene", "run"] {
+        for (arguments, part) in cases {
+            let output = ancf(folder.path(), &[&[command], arguments].concat());
+            let message = String::from_utf8(output.stderr).unwrap();
+            assert_eq!(output.status.code(), Some(2), "{message}");
+            assert!(message.contains(part), "no {part:?} in: {message}");
+        }
+    }
+    assert!(entries(folder.path()).is_empty());
+}
+
+#[test]
 fn scene_of_an_unknown_name_tells_the_nearest() {
     let folder = tempfile::tempdir().unwrap();
     let output = ancf(folder.path(), &["scene", "free-rod"]);
@@ -58,7 +107,9 @@ fn scene_of_an_unknown_name_tells_the_nearest() {
 #[test]
 fn run_writes_the_trajectory_and_the_summary() {
     let folder = tempfile::tempdir().unwrap();
-    let printed = stdout(ancf(folder.path(), &["run", "free-rod-heated", "--out", "new/results"]));
+    let output = ancf(folder.path(), &["run", "free-rod-heated", "--out", "new/results"]);
+    assert!(output.stderr.is_empty(), "there is no progress bar in a pipe");
+    let printed = stdout(output);
     let out = folder.path().join("new/results");
     assert_eq!(entries(&out), ["summary.json", "trajectory.csv"]);
 
@@ -116,10 +167,10 @@ fn output_that_cannot_be_written_is_exit_code_1_and_leaves_nothing() {
 }
 
 /// Runs the changed `pendulum-2d` into a folder that holds an older result, and returns exit code and message.
-fn failing_run(time: Value) -> (Option<i32>, String) {
+fn failing_run(time: Value, energy: bool) -> (Option<i32>, String) {
     let folder = tempfile::tempdir().unwrap();
     let mut scene = serde_json::to_value(Scene::builtin("pendulum-2d").unwrap()).unwrap();
-    (scene["time"], scene["output"]) = (time, serde_json::json!({}));
+    (scene["time"], scene["output"]) = (time, serde_json::json!({"energy": energy}));
     fs::write(folder.path().join("mine.json"), scene.to_string()).unwrap();
     fs::create_dir(folder.path().join("out")).unwrap();
     fs::write(folder.path().join("out/summary.json"), "an older result").unwrap();
@@ -131,7 +182,8 @@ fn failing_run(time: Value) -> (Option<i32>, String) {
 
 #[test]
 fn newton_that_does_not_converge_is_exit_code_1_with_time_iterations_and_residual() {
-    let (code, message) = failing_run(serde_json::json!({"end": 1.0, "step": 0.01, "method": "generalized-alpha"}));
+    let (code, message) =
+        failing_run(serde_json::json!({"end": 1.0, "step": 0.01, "method": "generalized-alpha"}), false);
     assert_eq!(code, Some(1), "{message}");
     for part in ["at t = 0.", "residual", "after 30 iterations", "tolerance 1.0e-10"] {
         assert!(message.contains(part), "no {part:?} in: {message}");
@@ -139,8 +191,18 @@ fn newton_that_does_not_converge_is_exit_code_1_with_time_iterations_and_residua
 }
 
 #[test]
+fn energy_that_appears_is_exit_code_1_with_its_size() {
+    let (code, message) =
+        failing_run(serde_json::json!({"end": 1.0, "step": 0.01, "method": "generalized-alpha"}), true);
+    assert_eq!(code, Some(1), "{message}");
+    for part in ["at t = 0.", "J more than the", "J that were put in", "`time.step`"] {
+        assert!(message.contains(part), "no {part:?} in: {message}");
+    }
+}
+
+#[test]
 fn an_explicit_step_over_the_limit_is_exit_code_2_with_the_limit() {
-    let (code, message) = failing_run(serde_json::json!({"end": 1.0, "step": 1e-4, "method": "explicit"}));
+    let (code, message) = failing_run(serde_json::json!({"end": 1.0, "step": 1e-4, "method": "explicit"}), true);
     assert_eq!(code, Some(2), "{message}");
     for part in ["`time.step` is 1e-4", "allowed: at most 6.", "explicit"] {
         assert!(message.contains(part), "no {part:?} in: {message}");

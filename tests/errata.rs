@@ -1,4 +1,4 @@
-//! Where the paper is wrong, E1 to E3, and where it must be read with care, M1, M2, M7: the printed form fails in the
+//! Where the paper is wrong, E1 to E4, and where it must be read with care, M1, M2, M7: the printed form fails in the
 //! way and by the amount derived here, and the consistent one does not.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
@@ -9,8 +9,8 @@ mod states;
 
 use ancf::equations::force::{self, Element, Matrix14};
 use ancf::equations::shape::{self, Nodes, Vector14};
-use ancf::equations::{material, strain};
-use nalgebra::{Matrix2, Vector2, Vector3};
+use ancf::equations::{material, motion, strain};
+use nalgebra::{DMatrix, DVector, Matrix2, Vector2, Vector3};
 use proptest::prelude::*;
 use states::{Energy, K, POSITIONS, Sizes, assert_within, axes, cases, element, moved, states, turned, uniform};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
@@ -252,4 +252,20 @@ fn m7_one_dimensional_heat_follows_the_rod() {
         let along_x = Vector3::new(heat, 0.0, 0.0);
         assert_within("e_x⊗e_x", rod.Q_e(&free, &along_x).as_slice(), expected.as_slice(), &scale);
     }
+}
+
+/// E4. (23) prints Φ_q λ. For fewer constraints than coordinates it does not exist; where it does, it does work on a
+/// motion that the constraints allow.
+#[test]
+fn e4_the_printed_constraint_force_does_work() {
+    let lambda = DVector::from_vec(vec![3.0, -1.0]);
+    let pin = DMatrix::from_row_slice(2, 4, &[1.0, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, -1.0]);
+    assert_eq!(motion::constraint_force_printed(&pin, &lambda), None);
+    assert_eq!(motion::constraint_force(&pin, &lambda).as_slice(), [3.0, -1.0, -3.0, 1.0]);
+
+    let allowed = DVector::from_vec(vec![2.0, -1.0]);
+    let square = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 0.0, 0.0]);
+    assert_eq!((&square * &allowed).as_slice(), [0.0, 0.0]);
+    assert_eq!(motion::constraint_force(&square, &lambda).dot(&allowed), 0.0);
+    assert_eq!(motion::constraint_force_printed(&square, &lambda).unwrap().dot(&allowed), 2.0);
 }

@@ -8,8 +8,9 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use ancf::equations::CONTENTS;
-use ancf::state::evaluate;
+use ancf::state::{evaluate, evaluate_system};
 use common::scale::scale;
+use common::system::{Terms, systems};
 use common::{Equations, TOLERANCE, within, worst_ratio};
 
 static EQUATIONS: LazyLock<Equations> = LazyLock::new(Equations::load);
@@ -20,7 +21,7 @@ fn every_equation_meets_the_oracle_in_every_state() {
     // The last states are the random ones, where a mistake shows first.
     for case in equations.cases().into_iter().rev() {
         let mut failures = Vec::new();
-        for entry in CONTENTS {
+        for entry in CONTENTS.iter().filter(|entry| !entry.is_of_a_structure()) {
             let actual = evaluate(entry.quantity, &case.state).unwrap_or_else(|| panic!("no {}", entry.quantity));
             let (expected, scale) = (case.value(entry.reference), scale(entry.reference, &case));
             if !within(TOLERANCE, &actual, &expected, &scale) {
@@ -37,16 +38,44 @@ fn every_equation_meets_the_oracle_in_every_state() {
     }
 }
 
+/// (23) on the oracle's terms: two pinned structures, and a square example in which the printed form has a value.
+#[test]
+fn equation_23_meets_the_oracle() {
+    let mut printed = 0;
+    for case in systems()["cases"].as_array().unwrap() {
+        let terms = Terms::read(case);
+        for entry in CONTENTS.iter().filter(|entry| entry.is_of_a_structure()) {
+            let actual = evaluate_system(entry.quantity, &terms.state);
+            if !terms.has(entry.reference) {
+                assert!(entry.reference.ends_with("/printed"), "{}: no {}", terms.id, entry.reference);
+                assert_eq!(actual, None, "{}: {} is not defined", terms.id, entry.quantity);
+                continue;
+            }
+            printed += usize::from(entry.reference.ends_with("/printed"));
+            let (expected, scale) = (terms.value(entry.reference), terms.scale(entry.reference));
+            let actual = actual.unwrap_or_else(|| panic!("{}: no {}", terms.id, entry.quantity));
+            let ratio = worst_ratio(&actual, &expected, &scale);
+            assert!(within(TOLERANCE, &actual, &expected, &scale), "{}: {}: {ratio:.1e}", terms.id, entry.quantity);
+        }
+    }
+    assert_eq!(printed, 2, "the square example has both printed values");
+}
+
 #[test]
 fn every_numbered_equation_has_a_function_and_a_fixture() {
     let equations = &*EQUATIONS;
     let listed: BTreeSet<&str> = CONTENTS.iter().map(|entry| entry.equation).collect();
-    let numbers = (1..=22).map(|n| n.to_string()).chain((1..=5).map(|n| format!("A.{n}")));
+    let numbers = (1..=23).map(|n| n.to_string()).chain((1..=5).map(|n| format!("A.{n}")));
     for number in numbers {
         assert!(listed.contains(number.as_str()), "equation ({number}) is not in CONTENTS");
     }
     let used: BTreeSet<&str> = CONTENTS.iter().map(|entry| entry.reference).collect();
-    for (quantity, _) in equations.json["quantities"].as_object().unwrap() {
+    // Terms of (23), which the structure assembles; a test of its own compares them.
+    let assembled = ["23.m", "23.Q_e", "23.f", "23.Phi", "23.Phi_q"];
+    let structure = systems();
+    let quantities = [&equations.json, &structure].map(|json| json["quantities"].as_object().unwrap());
+    for quantity in quantities.iter().flat_map(|table| table.keys()).filter(|name| !assembled.contains(&name.as_str()))
+    {
         assert!(used.contains(quantity.as_str()), "the fixture's {quantity} is tested by nothing");
     }
 }

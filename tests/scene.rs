@@ -2,7 +2,8 @@
 
 use ancf::error::Error;
 use ancf::scene::{
-    Direction, Method, Output, Quantity, Rod, Scene, Start, Temperature, ThermalModel, builtin_names, builtin_text,
+    Constraints, Direction, Force, Method, Output, Probe, Quantity, Rod, Scene, Scissors, Start, Support, Temperature,
+    ThermalModel, builtin_names, builtin_text,
 };
 
 /// The required keys, and nothing else.
@@ -25,8 +26,12 @@ fn what_is_left_out_is_absent_or_at_its_default() {
     let scene = Scene::parse(SMALLEST, "test").unwrap();
     assert_eq!(scene.title, "");
     assert_eq!(scene.material.alpha, 0.0);
-    assert_eq!(scene.rods, [Rod { name: "r".into(), from: "p".into(), to: "q".into(), elements: 8 }]);
+    let (name, from, to) = ("r".into(), "p".into(), "q".into());
+    let (pivot, material, section, temperature) = (None, None, None, None);
+    assert_eq!(scene.rods, [Rod { name, from, to, elements: 8, pivot, material, section, temperature }]);
     assert_eq!((scene.supports.len(), scene.probes.len(), scene.gravity), (0, 0, [0.0, 0.0]));
+    assert_eq!((scene.forces.len(), scene.notes.len(), scene.constraints), (0, 0, Constraints::Condensed));
+    assert_eq!(scene.time.load_steps, 10);
     assert_eq!(scene.temperature, None);
     assert_eq!((scene.time.step, scene.time.method), (1e-3, Method::GeneralizedAlpha));
     assert_eq!((scene.time.rho_inf, scene.time.newton_tolerance), (0.9, 1e-10));
@@ -40,7 +45,7 @@ fn heat_without_words_is_2d_and_sudden() {
     let scene = Scene::parse(&text.replacen('{', "{\"temperature\": {\"history\": [[0, 9]]},", 1), "test").unwrap();
     let history = vec![[0.0, 9.0]];
     let expected = Temperature { model: ThermalModel::TwoD, start: Start::Sudden, history };
-    assert_eq!(scene.heat(), Some(&expected));
+    assert_eq!(scene.heat(&scene.rods[0]), Some(&expected));
 }
 
 #[test]
@@ -50,7 +55,7 @@ fn model_none_heats_nothing_and_needs_neither_alpha_nor_history() {
     {
         let scene = with(temperature);
         assert!(scene.temperature.is_some());
-        assert_eq!(scene.heat(), None);
+        assert_eq!(scene.heat(&scene.rods[0]), None);
     }
 }
 
@@ -78,12 +83,16 @@ fn a_scene_reads_back_from_its_own_json() {
         r#""gravity": [0.1, -3.3333333333333335e-1], "supports": [{"point": "q", "fix": ["y", "x"]}],
         "temperature": {"model": "none", "start": "relaxed", "history": [[-1, 0.30000000000000004], [2, -5e-324]]},
         "output": {"interval": 0.025, "energy": false}, "title": "\"ΔT\"",
-        "probes": [{"name": "a probe's name", "point": "p", "of": ["acceleration", "position", "velocity"]}]"#,
+        "notes": ["a \\ and [1, {2: \"x\"}]", "ε"],
+        "forces": [{"point": "q", "force": [1e-300, -2], "history": [[0, 0.1], [1, 1]]}],
+        "probes": [{"name": "a probe's name", "point": "p", "of": ["acceleration", "position", "velocity"]},
+            {"name": "d", "rod": "r", "at": 0.3, "of": ["deflection"]}]"#,
     );
     let builtin = builtin_names().map(|name| Scene::builtin(name).unwrap());
     for scene in builtin.chain([awkward]) {
         let text = serde_json::to_string(&scene).unwrap();
         assert_eq!(Scene::parse(&text, "round trip").unwrap(), scene);
+        assert_eq!(Scene::parse(&scene.to_text(), "text for people").unwrap(), scene);
     }
 }
 
@@ -96,6 +105,10 @@ fn names_of_the_builtin_scenes() {
         "pendulum-1d-relaxed",
         "pendulum-2d-relaxed",
         "free-rod-heated",
+        "scissors-3",
+        "scissors-3-thermal",
+        "cantilever",
+        "scissor-static",
     ];
     assert_eq!(builtin_names().collect::<Vec<_>>(), expected);
     assert!(Scene::builtin("pendulum").is_none());
@@ -123,8 +136,8 @@ fn builtin_pendulums_are_those_of_table_1() {
         assert_eq!((rod.from.as_str(), rod.to.as_str(), rod.elements), ("o", "a", 8));
         let [support] = scene.supports.as_slice() else { panic!("{name}: one support") };
         assert_eq!((support.point.as_str(), support.fix.as_slice()), ("o", &[Direction::X, Direction::Y][..]));
-        assert_eq!(scene.heat().map(|heat| (heat.model, heat.start)), heat);
-        assert!(scene.heat().is_none_or(|heat| heat.history == [[0.0, 200.0]]));
+        assert_eq!(scene.heat(&scene.rods[0]).map(|heat| (heat.model, heat.start)), heat);
+        assert!(scene.heat(&scene.rods[0]).is_none_or(|heat| heat.history == [[0.0, 200.0]]));
         // The waves of sudden heat ask for short steps.
         let sudden = heat.is_some_and(|(_, start)| start == Start::Sudden);
         let time = if sudden { (Method::Explicit, 100_000, 500) } else { (Method::EnergyMomentum, 8000, 40) };
@@ -141,14 +154,154 @@ fn builtin_free_rod_is_free_inclined_and_relaxed() {
     let scene = Scene::builtin("free-rod-heated").unwrap();
     assert!(scene.supports.is_empty() && scene.gravity == [0.0, 0.0]);
     assert_eq!(scene.points["a"], [0.6, 0.8]);
-    assert_eq!(scene.heat().unwrap().start, Start::Relaxed);
+    assert_eq!(scene.heat(&scene.rods[0]).unwrap().start, Start::Relaxed);
     assert_eq!(scene.columns()[..5], ["t", "from.x", "from.y", "to.x", "to.y"]);
+}
+
+/// Table 2 of the paper: L = 2 m, A = 0.02 × 0.02 m², ρ = 2750 kg/m³, E = 7e10 N/m², ν = 0, α = 2.3e-5 1/K; 50 N at a1.
+#[test]
+fn builtin_scissors_are_those_of_table_2() {
+    for (name, model) in [("scissors-3", None), ("scissors-3-thermal", Some(ThermalModel::TwoD))] {
+        let scene = Scene::load(name).unwrap();
+        let material = &scene.material;
+        let numbers = [material.youngs_modulus, material.nu, material.rho, material.alpha];
+        assert_eq!(numbers, [7e10, 0.0, 2750.0, 2.3e-5]);
+        assert_eq!([scene.section.height, scene.section.width, scene.gravity[1]], [0.02, 0.02, 0.0]);
+        let names: Vec<_> = scene.rods.iter().map(|rod| rod.name.as_str()).collect();
+        assert_eq!(names, ["a1b2", "b1a2", "a2b3", "b2a3", "a3b4", "b3a4"]);
+        for rod in &scene.rods {
+            let ([x_0, y_0], [x_1, y_1]) = (scene.points[&rod.from], scene.points[&rod.to]);
+            assert!(((x_1 - x_0).hypot(y_1 - y_0) - 2.0).abs() < 1e-15, "{}", rod.name);
+            assert!(((y_1 - y_0).abs().atan2(x_1 - x_0).to_degrees() - 80.0).abs() < 1e-13, "{}", rod.name);
+            assert_eq!(rod.elements, 8);
+            assert_eq!(format!("{}{}", rod.from, rod.to), rod.name);
+            let heat = scene.heat(rod);
+            assert_eq!(heat.map(|heat| heat.model), model);
+            assert!(heat.is_none_or(|heat| {
+                let at = [0.0, 0.125, 0.25, 1.25, 1.5, 1.75, 2.75, 3.0].map(|t| heat.at(t));
+                at == [0.0, 75.0, 150.0, 150.0, 0.0, -150.0, -150.0, 0.0]
+            }));
+        }
+        let pivots: Vec<_> = scene.rods.iter().flat_map(|rod| rod.pivot.as_deref()).collect();
+        assert_eq!(pivots, ["m1", "m1", "m2", "m2", "m3", "m3"]);
+        let [b1, a1] = scene.supports.as_slice() else { panic!("two supports") };
+        assert_eq!((b1.point.as_str(), b1.fix.as_slice()), ("b1", &[Direction::X, Direction::Y][..]));
+        assert_eq!((a1.point.as_str(), a1.fix.as_slice()), ("a1", &[Direction::X][..]));
+        assert_eq!(scene.forces, [Force { point: "a1".into(), force: [0.0, -50.0], history: None }]);
+        assert_eq!((scene.time.method, scene.steps(), scene.rows_every()), (Method::EnergyMomentum, 12_000, 40));
+        let columns = ["a4.x", "a4.y", "a4.vx", "a4.vy", "a4.ax", "a4.ay", "b1a2.w", "b2a3.w", "b3a4.w"];
+        assert_eq!(scene.columns()[1..10], columns);
+        assert!(scene.notes.len() >= 7, "each assumption is noted");
+    }
+}
+
+#[test]
+fn scissors_by_number_are_the_embedded_ones_for_three() {
+    for name in ["scissors-3", "scissors-3-thermal"] {
+        assert_eq!(Scissors::named(name).unwrap().scene().unwrap(), Scene::load(name).unwrap());
+    }
+    assert_eq!(Scissors::named("scissors-3"), Some(Scissors::new(3)));
+}
+
+#[test]
+fn scissors_come_in_any_number() {
+    for count in [1, 2, 10] {
+        let name = format!("scissors-{count}-thermal");
+        let scene = Scene::load(&name).unwrap();
+        assert_eq!(scene, Scene::builtin(&name).unwrap());
+        assert_eq!((scene.points.len(), scene.rods.len()), (2 * count + 2, 2 * count));
+        assert_eq!(scene.probes[0].point, Some(format!("a{}", count + 1)));
+        assert_eq!(scene.probes.len(), 1 + count.min(3));
+        // Column k + 1 is k pitches away from the first.
+        let pitch = scene.points["b2"][0];
+        assert!((scene.points[&format!("a{}", count + 1)][0] - count as f64 * pitch).abs() < 1e-12);
+        assert_eq!(builtin_text(&name).unwrap().lines().filter(|line| line.contains("pivot")).count(), 2 * count);
+    }
+    Scene::load("scissors-6250").unwrap();
+    for name in ["scissors-0", "scissors-6251"] {
+        let message = Scene::load(name).unwrap_err().to_string();
+        assert!(message.starts_with(name) && message.contains("from 1 to 6250"), "{message}");
+    }
+    for name in ["scissors-03", "scissors-", "scissors--1", "scissors-3-cold", "scissors-x", "scissors-+3"] {
+        assert_eq!(Scissors::named(name), None);
+        assert!(Scene::load(name).is_err());
+    }
+}
+
+#[test]
+fn scissors_have_the_angle_force_elements_and_heat_they_are_given() {
+    let scissors = Scissors { angle: 30.0, force: -20.0, elements: 3, model: ThermalModel::OneD, ..Scissors::new(2) };
+    let scene = scissors.scene().unwrap();
+    let [x, y] = scene.points["a2"];
+    assert!((x - 3.0_f64.sqrt()).abs() < 1e-15 && (y - 1.0).abs() < 1e-15);
+    assert_eq!(scene.forces[0].force, [0.0, 20.0]);
+    assert!(scene.rods.iter().all(|rod| rod.elements == 3));
+    assert_eq!(scene.temperature.unwrap().model, ThermalModel::OneD);
+    for part in ["30 degrees", "-20 N", "2 scissor-like elements", "axis only"] {
+        assert!(scene.title.contains(part), "no {part:?} in: {}", scene.title);
+    }
+}
+
+#[test]
+fn scissors_that_cannot_be_are_refused() {
+    let three = Scissors::new(3);
+    let cases = [
+        (Scissors { angle: 0.0, ..three.clone() }, "`angle` is 0.0"),
+        (Scissors { angle: 90.0, ..three.clone() }, "`angle` is 90.0"),
+        (Scissors { angle: f64::NAN, ..three.clone() }, "`angle` is NaN"),
+        (Scissors { force: f64::INFINITY, ..three.clone() }, "`force` is inf"),
+        (Scissors { elements: 0, ..three.clone() }, "`rods[0].elements` is 0"),
+        (Scissors { elements: 16_667, ..three.clone() }, "from 1 to 2"),
+        (Scissors { count: 0, ..three }, "`scissors-<n>` is 0"),
+    ];
+    for (scissors, part) in cases {
+        let message = scissors.scene().unwrap_err().to_string();
+        assert!(message.contains(part), "no {part:?} in: {message}");
+    }
+}
+
+/// EI = 2.1e11 · 0.001⁴/12 = 0.0175 N m², so that PL²/EI = 10 for 0.175 N.
+#[test]
+fn builtin_cantilever_bends_far() {
+    let scene = Scene::load("cantilever").unwrap();
+    let (e, h) = (scene.material.youngs_modulus, scene.section.height);
+    let bending = e * scene.section.width * h.powi(3) / 12.0;
+    assert!((scene.forces[0].force[1] / bending + 10.0).abs() < 1e-12);
+    let support =
+        Support { point: "o".into(), fix: vec![Direction::X, Direction::Y], slide: None, clamp: Some("rod".into()) };
+    assert_eq!(scene.supports, [support]);
+    assert_eq!((scene.steps(), scene.time_after(1), scene.rows_every()), (1, 1.0, 1));
+    assert_eq!(scene.columns()[..5], ["t", "tip.x", "tip.y", "o.rx", "o.ry"]);
+}
+
+#[test]
+fn builtin_scissor_stands_on_two_feet() {
+    let scene = Scene::load("scissor-static").unwrap();
+    assert_eq!((scene.steps(), scene.time_after(5), scene.is_row(7)), (10, 0.5, true));
+    assert_eq!(scene.columns()[1..9], ["a1.x", "a1.y", "a2.x", "a2.y", "b1.rx", "b1.ry", "b2.rx", "b2.ry"]);
+    assert_eq!(scene.position("m1"), Some([0.5, 0.5 * 3.0_f64.sqrt()]));
+    assert!(scene.rods.iter().all(|rod| rod.has_node("m1") && !rod.has_node("b3")));
+}
+
+#[test]
+fn text_for_people_keeps_short_lists_on_a_line() {
+    let text = with(r#""supports": [{"point": "p", "fix": ["x", "y"]}], "title": "a, b: {\"c\": [1]}""#).to_text();
+    for line in [
+        r#"  "title": "a, b: {\"c\": [1]}","#,
+        r#"  "points": {"p": [0.0, 0.0], "q": [5.0, 6.0]},"#,
+        r#"  "supports": [{"point": "p", "fix": ["x", "y"]}],"#,
+    ] {
+        assert!(text.lines().any(|found| found == line), "no {line:?} in:\n{text}");
+    }
+    assert!(text.starts_with("{\n") && text.ends_with("\n}\n"));
+    let text = Scene::load("scissors-3-thermal").unwrap().to_text();
+    assert!(text.contains("\n    {\"name\": \"b1a2\", \"from\": \"b1\", \"to\": \"a2\", "), "{text}");
 }
 
 #[test]
 fn builtin_text_is_the_scene() {
     for name in builtin_names() {
-        assert_eq!(Scene::parse(builtin_text(name).unwrap(), name).unwrap(), Scene::builtin(name).unwrap());
+        assert_eq!(Scene::parse(&builtin_text(name).unwrap(), name).unwrap(), Scene::builtin(name).unwrap());
     }
     let message = builtin_text("pendulum-3d").unwrap_err().to_string();
     assert!(message.contains("the nearest is `pendulum-2d`") || message.contains("`pendulum-1d`"), "{message}");
@@ -173,6 +326,14 @@ fn history_is_piecewise_linear_and_constant_outside() {
     }
     assert_eq!(Temperature { history: vec![[3.0, 7.0]], ..temperature.clone() }.at(0.0), 7.0);
     assert_eq!(Temperature { history: vec![], ..temperature }.at(0.0), 0.0);
+}
+
+#[test]
+fn force_without_history_is_constant_and_keeps_its_direction() {
+    let force = Force { point: "p".into(), force: [2.0, -4.0], history: None };
+    assert_eq!([force.at(-1.0), force.at(7.0)], [[2.0, -4.0]; 2]);
+    let force = Force { history: Some(vec![[1.0, 0.0], [2.0, 1.0]]), ..force };
+    assert_eq!([force.at(0.0), force.at(1.25), force.at(9.0)], [[0.0, 0.0], [0.5, -1.0], [2.0, -4.0]]);
 }
 
 #[test]
@@ -216,4 +377,112 @@ fn a_scene_changed_in_memory_can_be_validated() {
     scene.time.step = 1e-3;
     scene.points.insert("a".into(), [f64::INFINITY, 0.0]);
     assert!(matches!(scene.validate("mine"), Err(Error::Scene { key, .. }) if key == "points.a[0]"));
+}
+
+/// Two rods like an X, pinned in the middle; the second is of another material and not heated.
+const CROSS: &str = r#"{
+  "schema": "ancf-scene/1",
+  "material": {"E": 1, "nu": 0, "rho": 2, "alpha": 1e-5},
+  "section": {"height": 3, "width": 4},
+  "points": {"p": [0, 0], "q": [2, 2], "r": [0, 2], "s": [2, 0]},
+  "rods": [{"name": "up", "from": "p", "to": "q", "pivot": "m"},
+    {"name": "down", "from": "r", "to": "s", "pivot": "m", "material": {"E": 5, "nu": 0.1, "rho": 6},
+     "section": {"height": 7, "width": 8}, "temperature": {"model": "none"}}],
+  "temperature": {"history": [[0, 9]]},
+  "supports": [{"point": "m", "slide": [3, 4], "clamp": "up"}, {"point": "m", "clamp": "down"}, {"point": "p", "fix": ["x"]},
+    {"point": "p", "fix": ["y"]}],
+  "time": {"end": 0.25},
+  "probes": [{"name": "1", "point": "m", "of": ["position", "reaction"]}, {"name": "2", "point": "m", "rod": "up", "of": ["reaction"]},
+    {"name": "3", "point": "q", "rod": "up", "of": ["reaction"]}, {"name": "4", "rod": "down", "at": 1, "of": ["deflection"]}]
+}"#;
+
+#[test]
+fn rods_have_their_own_material_section_and_temperature_or_the_scenes() {
+    let scene = Scene::parse(CROSS, "test").unwrap();
+    let [up, down] = scene.rods.as_slice() else { panic!("two rods") };
+    assert_eq!([up, down].map(|rod| scene.material(rod).youngs_modulus), [1.0, 5.0]);
+    assert_eq!([up, down].map(|rod| scene.section(rod).height), [3.0, 7.0]);
+    assert_eq!([up, down].map(|rod| scene.heat(rod).map(|heat| heat.at(0.0))), [Some(9.0), None]);
+}
+
+#[test]
+fn pivots_are_points_at_the_middle() {
+    let scene = Scene::parse(CROSS, "test").unwrap();
+    assert_eq!(["p", "m", "x"].map(|point| scene.position(point)), [Some([0.0, 0.0]), Some([1.0, 1.0]), None]);
+}
+
+#[test]
+fn probes_of_a_point_a_pin_and_a_rod_have_their_columns() {
+    let scene = Scene::parse(CROSS, "test").unwrap();
+    assert_eq!(scene.columns()[1..10], ["1.x", "1.y", "1.rx", "1.ry", "2.rx", "2.ry", "3.rx", "3.ry", "4.w"]);
+    let of = vec![Quantity::Deflection];
+    let bend = Probe { name: "4".into(), point: None, rod: Some("down".into()), at: Some(1.0), of };
+    assert_eq!(scene.probes[3], bend);
+}
+
+#[test]
+fn a_place_on_a_rod_may_be_one_of_its_ends() {
+    for at in ["0", "-0.0", "1.0"] {
+        Scene::parse(&CROSS.replace("\"at\": 1", &format!("\"at\": {at}")), "test").unwrap();
+    }
+}
+
+#[test]
+fn statics_may_take_a_million_load_steps() {
+    let mut scene = Scene::builtin("cantilever").unwrap();
+    scene.time.load_steps = 1_000_000;
+    scene.validate("many").unwrap();
+}
+
+/// Supports of one point count once.
+#[test]
+fn a_relaxed_start_allows_one_held_point() {
+    let mut scene = Scene::builtin("pendulum-2d-relaxed").unwrap();
+    let clamp = Support { point: "o".into(), fix: vec![], slide: None, clamp: Some("rod".into()) };
+    scene.supports.push(clamp.clone());
+    scene.validate("clamped").unwrap();
+    scene.supports.push(Support { point: "a".into(), ..clamp });
+    assert!(matches!(scene.validate("held twice"), Err(Error::Scene { key, .. }) if key == "temperature.start"));
+}
+
+#[test]
+fn an_end_is_asked_of_a_file_but_has_a_value_in_memory() {
+    let message = Scene::parse(&SMALLEST.replace("\"end\": 0.25", "\"step\": 0.3"), "test").unwrap_err().to_string();
+    assert_eq!(message, "test:7:11: `time.end` is missing; allowed: a value here, the key is required");
+    let text = SMALLEST.replace("\"end\": 0.25", "\"method\": \"static\", \"step\": 0.3");
+    let scene = Scene::parse(&text, "test").unwrap();
+    assert_eq!((scene.time.end, scene.steps(), scene.time_after(10)), (1.0, 10, 1.0));
+}
+
+/// α = 0 is a value; only in memory does it look like a missing one.
+#[test]
+fn an_alpha_of_zero_is_given() {
+    let text = CROSS.replace("\"alpha\": 1e-5", "\"alpha\": 0");
+    assert_eq!(Scene::parse(&text, "test").unwrap().material.alpha, 0.0);
+}
+
+#[test]
+fn a_pivot_may_be_off_by_rounding_only() {
+    let moved = |by: f64| CROSS.replace("\"q\": [2, 2]", &format!("\"q\": [{:?}, 2]", 2.0 + by));
+    // The middle moves by half, and the rods are 2.83 m long.
+    Scene::parse(&moved(5.6e-9), "test").unwrap();
+    assert!(matches!(Scene::parse(&moved(5.8e-9), "test"), Err(Error::Scene { key, .. }) if key == "rods[1].pivot"));
+}
+
+#[test]
+fn rods_may_share_both_ends_and_the_pivot() {
+    let text = CROSS.replace(r#""from": "r", "to": "s""#, r#""from": "q", "to": "p""#);
+    Scene::parse(&text.replace(r#", "r": [0, 2], "s": [2, 0]"#, ""), "test").unwrap();
+}
+
+/// The scene that the README shows is one.
+#[test]
+fn the_readme_shows_a_scene_that_runs() {
+    let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
+    let text = readme.split("```json").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let mut scene = Scene::parse(text, "README.md").unwrap();
+    scene.time.end = 0.02;
+    let run = ancf::run::run(&scene).unwrap();
+    assert_eq!(run.trajectory.rows.len(), 3);
+    assert!(run.trajectory.column("bend.w").is_some() && run.trajectory.column("pin.rx").is_some());
 }

@@ -1,12 +1,12 @@
-//! **The paper.** Equations (1)–(22) and (A.1)–(A.5) of Peng et al. (2018), one function each, in the paper's order
+//! **The paper.** Equations (1)–(23) and (A.1)–(A.5) of Peng et al. (2018), one function each, in the paper's order
 //! and symbols: [`shape`] (1)–(5), [`inertia`] (6)–(7), [`strain`] (8)–(14), [`material`] (15)–(17), [`force`]
-//! (18)–(21), [`motion`] (22).
+//! (18)–(21), [`motion`] (22)–(23).
 //!
 //! Pure functions of numbers and arrays in SI units, global axes, for reading and checking;
 //! [`kernel`](crate::kernel) is the same element arranged for speed.
 //!
 //! **Two forms.** Where the paper is wrong, the printed form (`…_printed`) stands beside the consistent one:
-//! E1 [`shape::coefficients_printed`], E2 [`force::K_3_printed`], E3 [`force::U_printed`] and [`force::K_printed`].
+//! E1 [`shape::coefficients_printed`], E2 [`force::K_3_printed`], E3 [`force::U_printed`] and [`force::K_printed`], E4 [`motion::constraint_force_printed`].
 //! Everything else in this crate uses the consistent forms.
 
 #![allow(non_snake_case)] // The paper's symbols are names here: S, M, K_1, S_a, eps_T.
@@ -39,12 +39,20 @@ pub struct Entry {
     pub equation: &'static str,
     /// Path of the function below `equations`.
     pub function: &'static str,
-    /// The name of its value in [`state::evaluate`](crate::state::evaluate).
+    /// The name of its value in [`state::evaluate`](crate::state::evaluate), or in
+    /// [`state::evaluate_system`](crate::state::evaluate_system) for (23).
     pub quantity: &'static str,
-    /// The name of the value in `fixtures/equations.json` that it must equal.
+    /// The name of the value in `fixtures/equations.json` that it must equal, in `fixtures/structure.json` for (23).
     pub reference: &'static str,
     /// Printed or consistent.
     pub form: Form,
+}
+
+impl Entry {
+    /// Whether its value is one of a structure, (23), and not of an element state.
+    pub fn is_of_a_structure(&self) -> bool {
+        self.equation == "23"
+    }
 }
 
 const fn entry(equation: &'static str, function: &'static str, quantity: &'static str, form: Form) -> Entry {
@@ -112,6 +120,12 @@ pub const CONTENTS: &[Entry] = &[
     entry("", "inertia::Q_w_gravity", "gravity.Q_w", Form::Beyond),
     entry("22", "motion::acceleration", "22.eddot", Form::AsPrinted),
     entry("22", "motion::residual", "22.residual", Form::AsPrinted),
+    entry("23", "motion::constraint_force", "23.constraint_force", Form::Consistent),
+    entry("23", "motion::constraint_force_printed", "23.constraint_force/printed", Form::Printed),
+    entry("23", "motion::system_residual", "23.residual", Form::Consistent),
+    entry("23", "motion::system_residual", "23.residual/printed", Form::Printed),
+    entry("23", "motion::system_acceleration", "23.acceleration", Form::Consistent),
+    entry("23", "motion::system_acceleration", "23.lambda", Form::Consistent),
     entry("A.1", "shape::r_polynomial", "A.1.r", Form::AsPrinted),
     entry("", "shape::r_polynomial_x", "A.1.r_x", Form::Beyond),
     entry("", "shape::r_polynomial_y", "A.1.r_y", Form::Beyond),

@@ -8,7 +8,7 @@ use nalgebra::DVector;
 use super::{Integrator, State, acceleration, mass_factors};
 use crate::counts::Counts;
 use crate::error::{Error, Result};
-use crate::linear::BandLu;
+use crate::linear::BorderedLu;
 use crate::scene::Method;
 use crate::structure::Structure;
 
@@ -16,7 +16,7 @@ use crate::structure::Structure;
 #[derive(Clone, Debug)]
 pub struct Explicit {
     step: f64,
-    mass: BandLu,
+    mass: BorderedLu,
     a: DVector<f64>,
 }
 

@@ -8,8 +8,9 @@ use nalgebra::DVector;
 
 use crate::counts::Counts;
 use crate::error::{Error, Result};
-use crate::linear::{BandLu, SingularAt};
+use crate::linear::{BorderedLu, SingularAt};
 use crate::scene::{Method, Scene};
+use crate::statics::Statics;
 use crate::structure::Structure;
 
 pub use energy_momentum::EnergyMomentum;
@@ -36,6 +37,11 @@ pub trait Integrator {
     /// # Errors
     /// Where the step cannot be made or trusted; the state is then meaningless.
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()>;
+
+    /// The multipliers λ that belong to the state, in their places; `None` for methods without.
+    fn multipliers(&self) -> Option<&DVector<f64>> {
+        None
+    }
 }
 
 /// The method that a scene asks for, ready at the state `state`.
@@ -60,29 +66,35 @@ pub fn integrator(
         )?),
         Method::EnergyMomentum => Box::new(EnergyMomentum::new(step, scene.time.newton_tolerance)),
         Method::Explicit => Box::new(Explicit::new(structure, state, step, counts)?),
+        Method::Static => Box::new(Statics::new(structure, scene.time.newton_tolerance)),
     })
 }
 
-/// Factors of the mass matrix.
+/// Factors of the mass matrix, with the constraints beside and below it where there are multipliers.
 ///
 /// # Errors
 /// [`Error::Singular`].
-pub fn mass_factors(structure: &Structure, counts: &mut Counts) -> Result<BandLu> {
+pub fn mass_factors(structure: &Structure, counts: &mut Counts) -> Result<BorderedLu> {
     counts.factorizations += 1;
-    structure.mass().clone().lu().map_err(|SingularAt(pivot)| Error::Singular { time: 0.0, iteration: 0, pivot })
+    structure.mass_factors().map_err(|SingularAt(unknown)| Error::Singular {
+        time: 0.0,
+        iteration: 0,
+        place: structure.place(unknown),
+    })
 }
 
-/// Acceleration from the equation of motion: q̈ = M⁻¹ (Q_w − Q_e).
+/// Accelerations, and multipliers λ in their places, from the equation of motion:
+/// M q̈ + Φ_qᵀ λ = Q_w − Q_e with Φ_q q̈ = 0, the second derivative of Φ(q) = 0 for constraints that are linear in q.
 pub fn acceleration(
     structure: &Structure,
-    mass: &BandLu,
+    mass: &BorderedLu,
     u: &DVector<f64>,
     t: f64,
     counts: &mut Counts,
 ) -> DVector<f64> {
-    let mut a = DVector::zeros(structure.size());
-    structure.force(u, structure.thermal_strain(t), &mut a);
-    a = structure.gravity() - a;
+    let mut force = DVector::zeros(structure.size());
+    structure.force(u, &structure.thermal_strains(t), &mut force);
+    let mut a = structure.load(t) - force;
     mass.solve(&mut a);
     counts.force_calls += 1;
     counts.solves += 1;

@@ -57,6 +57,20 @@ words! {
         EnergyMomentum = "energy-momentum",
         /// Velocity Verlet; its step is limited by the largest frequency.
         Explicit = "explicit",
+        /// No motion: equilibrium as loads and heat grow from nothing to their full size.
+        Static = "static",
+    }
+}
+
+words! {
+    /// How pins and supports are kept.
+    #[derive(Default)]
+    pub enum Constraints {
+        /// Pinned points share their coordinates, and held ones have none: there are no multipliers.
+        #[default]
+        Condensed = "condensed",
+        /// Equation (23): every rod has its own coordinates, and Lagrange's multipliers keep the constraints.
+        Multipliers = "multipliers",
     }
 }
 
@@ -67,18 +81,26 @@ words! {
         Position = "position",
         /// Velocity, m/s.
         Velocity = "velocity",
-        /// Acceleration, m/s².
+        /// Acceleration from the equation of motion, m/s². After a sudden load its value at an instant does not converge with
+        /// the mesh.
         Acceleration = "acceleration",
+        /// Force of a support on the structure, or all that acts on one rod at the point but its weight (other rods, supports
+        /// and point forces), N. At an instant it converges no better than an acceleration.
+        Reaction = "reaction",
+        /// Distance of a rod's axis from the chord through its ends, m, positive to the left of from → to.
+        Deflection = "deflection",
     }
 }
 
 impl Quantity {
-    /// How the names of its two columns end.
-    pub fn suffixes(self) -> [&'static str; 2] {
+    /// How the names of its columns end.
+    pub fn suffixes(self) -> &'static [&'static str] {
         match self {
-            Quantity::Position => ["x", "y"],
-            Quantity::Velocity => ["vx", "vy"],
-            Quantity::Acceleration => ["ax", "ay"],
+            Quantity::Position => &["x", "y"],
+            Quantity::Velocity => &["vx", "vy"],
+            Quantity::Acceleration => &["ax", "ay"],
+            Quantity::Reaction => &["rx", "ry"],
+            Quantity::Deflection => &["w"],
         }
     }
 }

@@ -3,6 +3,7 @@
 use serde_json::error::Category;
 
 use super::locate::{line_and_column, quote, start_of, value_at};
+use super::missing::check_missing;
 use super::shape::Object;
 use super::validate::{Refusal, check};
 use super::{Scene, Schema};
@@ -18,7 +19,7 @@ impl Scene {
     /// [`Error::Scene`] with the place in the file, the key, the value as it is written, and what is allowed.
     pub fn parse(text: &str, file: &str) -> Result<Scene> {
         let scene = read(text).map_err(|(refusal, place)| refusal.into_error(file, Some(place)))?;
-        check(&scene).and_then(|()| check_alpha(&scene, text)).map_err(|mut refusal| {
+        check_missing(&scene, text).and_then(|()| check(&scene)).map_err(|mut refusal| {
             if let Some(at) = start_of(text, &refusal.key) {
                 refusal.value = value_at(text, at);
             }
@@ -38,7 +39,7 @@ impl Scene {
 }
 
 impl Refusal {
-    fn into_error(self, file: &str, place: Option<(usize, usize)>) -> Error {
+    pub(super) fn into_error(self, file: &str, place: Option<(usize, usize)>) -> Error {
         let file = place.map_or(file.to_string(), |(line, column)| format!("{file}:{line}:{column}"));
         Error::Scene { file, key: quote(&self.key), value: self.value, allowed: self.allowed }
     }
@@ -67,15 +68,6 @@ fn read(text: &str) -> std::result::Result<Scene, (Refusal, (usize, usize))> {
         .map_err(|error| explain(text, &error.path().to_string(), error.inner()))?;
     json.end().map_err(|error| explain(text, ".", &error))?;
     Ok(scene)
-}
-
-/// α is needed where something is heated. In memory it always has a value, so that the text has to be asked.
-fn check_alpha(scene: &Scene, text: &str) -> std::result::Result<(), Refusal> {
-    let key = "material.alpha";
-    if scene.heat().is_none() || start_of(text, key).is_some() {
-        return Ok(());
-    }
-    Err(Refusal { key: key.into(), value: "missing".into(), allowed: "a number; `temperature` needs it".into() })
 }
 
 /// Line and column of the value of `key`, or of the innermost part of the scene around it that is there.

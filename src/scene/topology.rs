@@ -1,21 +1,24 @@
-//! What a scene has to fulfil: names, points, rods, supports and probes that fit together.
+//! What points, rods and pivots have to fulfil, and the names by which other parts of a scene mean them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 
-use super::Scene;
 use super::parse::nearest;
 use super::validate::{Check, finite, require};
+use super::{Rod, Scene};
 
 /// Most elements of a scene: 400 000 coordinates. More is a mistyped number; a rod of that many elements has lost the
 /// digits in which its bending shows.
-const MOST_ELEMENTS: usize = 100_000;
+pub(super) const MOST_ELEMENTS: usize = 100_000;
 
 /// Shortest rod relative to the largest coordinate of its ends: below, the difference of its ends has no more than
 /// seven digits.
 const SHORTEST: f64 = 1e-9;
 
-/// Names, points, rods, supports and probes.
+/// How far apart the middles of two rods with one pivot may be, relative to the shorter rod.
+const SAME_PLACE: f64 = 1e-9;
+
+/// Points, rods and pivots.
 pub(super) fn check_topology(scene: &Scene) -> Check {
     for (name, position) in &scene.points {
         check_name(format_args!("points.{name}"), name)?;
@@ -29,8 +32,7 @@ pub(super) fn check_topology(scene: &Scene) -> Check {
         let allowed = "only points that a rod has as its `from` or `to`";
         require(ends.contains(name.as_str()), format_args!("points.{name}"), format_args!("{position:?}"), allowed)?;
     }
-    check_supports(scene)?;
-    check_probes(scene)
+    check_pivots(scene)
 }
 
 fn check_rods(scene: &Scene) -> Check {
@@ -61,28 +63,46 @@ fn check_rods(scene: &Scene) -> Check {
     Ok(())
 }
 
-fn check_supports(scene: &Scene) -> Check {
-    for (i, support) in scene.supports.iter().enumerate() {
-        check_point(scene, format_args!("supports[{i}].point"), &support.point)?;
-        check_list(format_args!("supports[{i}].fix"), support.fix.iter().map(|direction| direction.word()))?;
+/// A pivot is a point of its own at the middle of two rods or more.
+fn check_pivots(scene: &Scene) -> Check {
+    let mut pivots: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (i, rod) in scene.rods.iter().enumerate() {
+        if let Some(pivot) = &rod.pivot {
+            let key = format_args!("rods[{i}].pivot");
+            check_name(key, pivot)?;
+            let allowed = "a name that no point in `points` has, as it stands for the middles of rods";
+            require(!scene.points.contains_key(pivot), key, format_args!("{pivot:?}"), allowed)?;
+            pivots.entry(pivot).or_default().push(i);
+        }
     }
-    unique("supports", "point", scene.supports.iter().map(|support| support.point.as_str()))
+    for (pivot, rods) in pivots {
+        let Some((&first, others)) = rods.split_first() else { continue };
+        let allowed = "a name that at least two rods have as their `pivot`";
+        require(!others.is_empty(), format_args!("rods[{first}].pivot"), format_args!("{pivot:?}"), allowed)?;
+        for &other in others {
+            check_same_middle(scene, &scene.rods[first], &scene.rods[other], format_args!("rods[{other}].pivot"))?;
+        }
+    }
+    Ok(())
 }
 
-fn check_probes(scene: &Scene) -> Check {
-    for (i, probe) in scene.probes.iter().enumerate() {
-        check_name(format_args!("probes[{i}].name"), &probe.name)?;
-        let allowed = "another name, as the columns `energy.…` hold energies";
-        require(probe.name != "energy", format_args!("probes[{i}].name"), "\"energy\"", allowed)?;
-        check_point(scene, format_args!("probes[{i}].point"), &probe.point)?;
-        check_list(format_args!("probes[{i}].of"), probe.of.iter().map(|quantity| quantity.word()))?;
-    }
-    unique("probes", "name", scene.probes.iter().map(|probe| probe.name.as_str()))
+fn check_same_middle(scene: &Scene, first: &Rod, other: &Rod, key: impl Display) -> Check {
+    let (Some(a), Some(b)) = (scene.middle(first), scene.middle(other)) else { return Ok(()) };
+    let length = |rod: &Rod| match (scene.points.get(&rod.from), scene.points.get(&rod.to)) {
+        (Some([x_0, y_0]), Some([x_1, y_1])) => (x_1 - x_0).hypot(y_1 - y_0),
+        _ => 0.0,
+    };
+    let (first_name, other_name) = (&first.name, &other.name);
+    let allowed = format_args!(
+        "rods whose middles are at one place: `{first_name}` has its middle at {a:?}, `{other_name}` at {b:?}"
+    );
+    let holds = (a[0] - b[0]).hypot(a[1] - b[1]) <= SAME_PLACE * length(first).min(length(other));
+    require(holds, key, format_args!("{:?}", other.pivot.as_deref().unwrap_or_default()), allowed)
 }
 
 /// Names are used in the paths of keys (`points.a`) and in the head of a CSV file, where these characters mean
 /// something else.
-fn check_name(key: impl Display, name: &str) -> Check {
+pub(super) fn check_name(key: impl Display, name: &str) -> Check {
     let refused = |c: char| c.is_control() || ".,;[]\"`".contains(c);
     let holds = !name.is_empty() && name.trim() == name && !name.contains(refused);
     require(holds, key, format_args!("{name:?}"), "a name without . , ; [ ] \" ` and without spaces at its ends")
@@ -100,8 +120,31 @@ fn check_point(scene: &Scene, key: impl Display, name: &str) -> Check {
     require(false, key, format_args!("{name:?}"), allowed)
 }
 
+/// Refuses a name that is neither that of a point nor that of a pivot.
+pub(super) fn check_node(scene: &Scene, key: impl Display, name: &str) -> Check {
+    if scene.position(name).is_some() {
+        return Ok(());
+    }
+    let pivots = scene.rods.iter().filter_map(|rod| rod.pivot.as_deref());
+    let nearest = nearest(name, scene.points.keys().map(String::as_str).chain(pivots)).unwrap_or_default();
+    let allowed = format_args!("the name of a point in `points` or of a rod's pivot; nearest: `{nearest}`");
+    require(false, key, format_args!("{name:?}"), allowed)
+}
+
+/// Refuses a name that is not that of a rod, or of a rod without a node at `point`, if there is one.
+pub(super) fn check_rod(scene: &Scene, key: impl Display, name: &str, point: Option<&str>) -> Check {
+    let Some(rod) = scene.rods.iter().find(|rod| rod.name == name) else {
+        let nearest = nearest(name, scene.rods.iter().map(|rod| rod.name.as_str())).unwrap_or_default();
+        let allowed = format_args!("the name of a rod; nearest: `{nearest}`");
+        return require(false, key, format_args!("{name:?}"), allowed);
+    };
+    let Some(point) = point else { return Ok(()) };
+    let allowed = format_args!("a rod that has `{point}` as its `from`, `to` or `pivot`");
+    require(rod.has_node(point), key, format_args!("{name:?}"), allowed)
+}
+
 /// Refuses an empty list and one that holds a word twice.
-fn check_list(key: impl Display, words: impl ExactSizeIterator<Item = &'static str>) -> Check {
+pub(super) fn check_list(key: impl Display, words: impl ExactSizeIterator<Item = &'static str>) -> Check {
     require(words.len() > 0, &key, "[]", "at least one entry")?;
     let mut seen = BTreeSet::new();
     for (i, word) in words.enumerate() {
@@ -111,7 +154,7 @@ fn check_list(key: impl Display, words: impl ExactSizeIterator<Item = &'static s
 }
 
 /// Refuses a name that an earlier entry of `list` has under the same `key`.
-fn unique<'a>(list: &str, key: &str, names: impl Iterator<Item = &'a str>) -> Check {
+pub(super) fn unique<'a>(list: &str, key: &str, names: impl Iterator<Item = &'a str>) -> Check {
     let mut seen = BTreeMap::new();
     for (i, name) in names.enumerate() {
         if let Some(first) = seen.insert(name, i) {

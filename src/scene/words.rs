@@ -14,6 +14,14 @@ macro_rules! words {
             /// The words for it in a scene file, in the order of the variants.
             pub const WORDS: &'static [&'static str] = &[$($word),+];
 
+            /// The variant for a word.
+            pub fn from_word(word: &str) -> Option<$name> {
+                match word {
+                    $($word => Some($name::$variant),)+
+                    _ => None,
+                }
+            }
+
             /// The word for this variant in a scene file.
             pub fn word(self) -> &'static str {
                 match self { $($name::$variant => $word,)+ }
@@ -41,10 +49,7 @@ macro_rules! words {
                         write!(f, "`{}`", $name::WORDS.join("`, `"))
                     }
                     fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<$name, E> {
-                        match word {
-                            $($word => Ok($name::$variant),)+
-                            _ => Err(E::unknown_variant(word, $name::WORDS)),
-                        }
+                        $name::from_word(word).ok_or_else(|| E::unknown_variant(word, $name::WORDS))
                     }
                 }
                 deserializer.deserialize_str(Word)

@@ -3,11 +3,11 @@
 use nalgebra::Vector2;
 
 use super::Structure;
-use super::build::{stress_free, stretched};
+use super::rod::{Rod, stress_free, stretched};
 use crate::equations::force::Matrix14;
 use crate::equations::material;
 use crate::kernel::ThermalStrain;
-use crate::scene::{Rod, Scene};
+use crate::scene::{self, Material, Scene};
 
 impl Structure {
     /// The largest angular frequency, rad/s, to be expected: an upper bound of it for a straight structure at the start, and
@@ -26,7 +26,7 @@ impl Structure {
                 // Where 2ε_T is less than nothing is left of the rod the stretch is not a number: no such state.
                 largest = if stretch.iter().all(|s| s.is_finite()) { largest.max(square) } else { largest };
             };
-            for thermal in self.thermal_corners() {
+            for thermal in rod.thermal_corners() {
                 look_at([0.0; 2], thermal);
                 look_at(stress_free(thermal), thermal);
                 look_at(stress_free(thermal.map(|strain| 2.0 * strain)), thermal);
@@ -35,18 +35,22 @@ impl Structure {
         largest.sqrt()
     }
 
-    /// The shortest time in which an axial wave, √((λ + 2μ)/ρ) fast, crosses an element, s.
+    /// The shortest time in which an axial wave crosses an element, s.
     pub fn wave_crossing_time(scene: &Scene) -> f64 {
-        let (youngs_modulus, nu) = (scene.material.youngs_modulus, scene.material.nu);
-        let stiff = material::lambda(youngs_modulus, nu) + 2.0 * material::mu(youngs_modulus, nu);
-        let speed = (stiff / scene.material.rho).sqrt();
-        let length = |rod: &Rod| {
-            let ends = Vector2::from(scene.points[&rod.to]) - Vector2::from(scene.points[&rod.from]);
-            ends.norm() / rod.elements as f64
-        };
-        scene.rods.iter().map(length).fold(f64::INFINITY, f64::min) / speed
+        let crossing = |rod: &scene::Rod| Structure::wave_time(scene, rod) / rod.elements as f64;
+        scene.rods.iter().map(crossing).fold(f64::INFINITY, f64::min)
     }
 
+    /// The time in which an axial wave, √((λ + 2μ)/ρ) fast, runs along a rod, s.
+    pub fn wave_time(scene: &Scene, rod: &scene::Rod) -> f64 {
+        let Material { youngs_modulus, nu, rho, .. } = *scene.material(rod);
+        let stiff = material::lambda(youngs_modulus, nu) + 2.0 * material::mu(youngs_modulus, nu);
+        let ends = Vector2::from(scene.points[&rod.to]) - Vector2::from(scene.points[&rod.from]);
+        ends.norm() / (stiff / rho).sqrt()
+    }
+}
+
+impl Rod {
     /// Thermal strains at the start and at the corners of the temperature's history, between which they are linear.
     fn thermal_corners(&self) -> Vec<ThermalStrain> {
         let times = self.heat.iter().flat_map(|heat| heat.temperature.history.iter().map(|&[t, _]| t));

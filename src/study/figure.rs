@@ -1,4 +1,4 @@
-//! Curves over time as SVG: panels above each other that share the axis of time.
+//! Pictures as SVG: curves over time in panels above each other, and a structure at several instants.
 
 use std::ops::Range;
 
@@ -13,6 +13,8 @@ pub struct Curve<'a> {
     pub name: &'a str,
     /// Index into the palette, so that a model has one colour in every picture.
     pub colour: usize,
+    /// Drawn thin and pale, behind what matters more.
+    pub faint: bool,
     /// (time, value).
     pub points: Vec<(f64, f64)>,
 }
@@ -52,17 +54,25 @@ fn draw<'a>(title: &str, panels: &[Panel], backend: SVGBackend<'a>) -> DrawingRe
     root.fill(&WHITE)?;
     let (head, body) = root.split_vertically(TITLE_HEIGHT);
     head.titled(title, ("sans-serif", 20))?;
+    let points = panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
+    let times = extent(points.map(|point| point.0), 0.0);
     for (n, (area, panel)) in body.split_evenly((panels.len(), 1)).iter().zip(panels).enumerate() {
         // The colours mean the same in all panels; the first explains them.
-        draw_panel(area, panel, n == 0)?;
+        draw_panel(area, panel, times.clone(), n == 0)?;
     }
     root.present()
 }
 
-fn draw_panel<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, panel: &Panel, legend: bool) -> DrawingResult<'a> {
-    let points = || panel.curves.iter().flat_map(|curve| &curve.points);
-    let times = extent(points().map(|point| point.0), 0.0);
-    let values = extent(points().map(|point| point.1), 0.05);
+fn draw_panel<'a>(
+    area: &DrawingArea<SVGBackend<'a>, Shift>,
+    panel: &Panel,
+    times: Range<f64>,
+    legend: bool,
+) -> DrawingResult<'a> {
+    // The legend stands at the left, above a curve that rises and below one that falls.
+    let ends = panel.curves.first().and_then(|curve| curve.points.first().zip(curve.points.last()));
+    let rises = ends.is_some_and(|(first, last)| last.1 > first.1);
+    let values = extent(panel.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1), 0.05);
     let mut chart = ChartBuilder::on(area)
         .margin(10)
         .x_label_area_size(40)
@@ -78,16 +88,17 @@ fn draw_panel<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, panel: &Panel, lege
         .y_label_formatter(&|value| format!("{}", (value * 1e6).round() / 1e6 + 0.0))
         .draw()?;
     for curve in &panel.curves {
-        let style = PALETTE[curve.colour % PALETTE.len()].stroke_width(2);
+        let colour = PALETTE[curve.colour % PALETTE.len()];
+        let style = if curve.faint { colour.mix(0.4).stroke_width(1) } else { colour.stroke_width(2) };
         chart
-            .draw_series(LineSeries::new(curve.points.iter().copied(), style))?
+            .draw_series(LineSeries::new(envelope(&curve.points), style))?
             .label(curve.name)
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 20, y)], style));
     }
     if legend {
         chart
             .configure_series_labels()
-            .position(SeriesLabelPosition::LowerLeft)
+            .position(if rises { SeriesLabelPosition::UpperLeft } else { SeriesLabelPosition::LowerLeft })
             .background_style(WHITE.mix(0.8))
             .label_font(("sans-serif", 14))
             .draw()?;
@@ -95,9 +106,95 @@ fn draw_panel<'a>(area: &DrawingArea<SVGBackend<'a>, Shift>, panel: &Panel, lege
     Ok(())
 }
 
+/// The points, or where there are more than can be seen the least and the largest value of each piece of the time, in
+/// their order: a picture does not lose a peak.
+fn envelope(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let piece = points.len() / WIDTH as usize;
+    if piece < 3 {
+        return points.to_vec();
+    }
+    let extremes = |points: &[(f64, f64)]| {
+        let by_value = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+        let mut both = [points.iter().min_by(by_value), points.iter().max_by(by_value)]
+            .map(|extreme| extreme.copied().unwrap_or_default());
+        both.sort_by(|a, b| a.0.total_cmp(&b.0));
+        both
+    };
+    points.chunks(piece).flat_map(extremes).collect()
+}
+
 /// The range of the values, widened on either side by a fraction of itself.
 fn extent(values: impl Iterator<Item = f64>, margin: f64) -> Range<f64> {
     let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(v), high.max(v)));
     let widen = margin * (high - low);
     low - widen..high + widen
+}
+
+/// A structure at one instant.
+pub struct Snapshot {
+    /// What stands above it.
+    pub title: String,
+    /// Its rods, from point to point, m.
+    pub rods: Vec<Vec<(f64, f64)>>,
+}
+
+const SNAPSHOT_COLUMNS: usize = 2;
+const SNAPSHOT_HEIGHT: u32 = 240;
+
+/// Draws snapshots beside and below each other, all to the same scale, x and y alike.
+///
+/// # Errors
+/// [`Error::Picture`] with the library's reason.
+pub fn snapshots(title: &str, snapshots: &[Snapshot]) -> Result<String> {
+    let mut text = String::new();
+    let rows = snapshots.len().div_ceil(SNAPSHOT_COLUMNS);
+    let height = TITLE_HEIGHT + SNAPSHOT_HEIGHT * rows as u32;
+    draw_snapshots(title, snapshots, rows, SVGBackend::with_string(&mut text, (WIDTH, height)))
+        .map_err(|reason| Error::Picture { title: title.to_string(), reason: reason.to_string() })?;
+    Ok(text)
+}
+
+fn draw_snapshots<'a>(title: &str, snapshots: &[Snapshot], rows: usize, backend: SVGBackend<'a>) -> DrawingResult<'a> {
+    const MARGIN: u32 = 10;
+    const LABELS: (u32, u32) = (30, 60);
+    const CAPTION: u32 = 22;
+    let root = backend.into_drawing_area();
+    root.fill(&WHITE)?;
+    let (head, body) = root.split_vertically(TITLE_HEIGHT);
+    head.titled(title, ("sans-serif", 20))?;
+    let points = || snapshots.iter().flat_map(|snapshot| snapshot.rods.iter().flatten());
+    let (x, y) = (extent(points().map(|point| point.0), 0.05), extent(points().map(|point| point.1), 0.05));
+    // One metre is as long on both axes: the axis with room to spare reaches further.
+    let width = f64::from(WIDTH / SNAPSHOT_COLUMNS as u32 - LABELS.1 - 2 * MARGIN);
+    let height = f64::from(SNAPSHOT_HEIGHT - LABELS.0 - CAPTION - 2 * MARGIN);
+    let pixel = ((x.end - x.start) / width).max((y.end - y.start) / height);
+    let (x, y) = (x.start..x.start + pixel * width, y.start..y.start + pixel * height);
+    for (area, snapshot) in body.split_evenly((rows, SNAPSHOT_COLUMNS)).iter().zip(snapshots) {
+        let mut chart = ChartBuilder::on(area)
+            .margin(MARGIN)
+            .caption(&snapshot.title, ("sans-serif", 15))
+            .x_label_area_size(LABELS.0)
+            .y_label_area_size(LABELS.1)
+            .build_cartesian_2d(x.clone(), y.clone())?;
+        chart.configure_mesh().y_desc("m").label_style(("sans-serif", 13)).light_line_style(WHITE).draw()?;
+        for (n, rod) in snapshot.rods.iter().enumerate() {
+            let style = PALETTE[1 + n % 2].stroke_width(2);
+            chart.draw_series(LineSeries::new(rod.iter().copied(), style).point_size(3))?;
+        }
+    }
+    root.present()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_envelope_keeps_every_peak() {
+        let points: Vec<(f64, f64)> = (0..20_000).map(|n| (f64::from(n), if n == 7_777 { 9.0 } else { 0.0 })).collect();
+        let drawn = envelope(&points);
+        assert!(drawn.contains(&(7_777.0, 9.0)) && drawn.len() < 2_100, "{}", drawn.len());
+        assert!(drawn.windows(2).all(|pair| pair[0].0 <= pair[1].0));
+        assert_eq!(envelope(&points[..500]), &points[..500]);
+    }
 }

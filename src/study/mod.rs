@@ -1,8 +1,13 @@
-//! The main job: the paper's Section 3, recomputed and compared with the oracles.
+//! The main job: the paper's Sections 3 and 4, recomputed and compared with the oracles.
 
+mod claims;
 mod figure;
 mod oracle;
 mod pendulum;
+mod pinned;
+mod scissors;
+mod section4;
+mod signal;
 mod table;
 
 use std::path::Path;
@@ -19,36 +24,99 @@ use crate::report::{self, Files};
 #[derive(Serialize)]
 struct Report {
     wall_seconds: f64,
+    /// Section 3: the pendulum against the oracle, and its tip.
     oracle: Vec<oracle::Row>,
     tip: Vec<pendulum::Row>,
+    /// Section 4: structures against the oracle, a4, energies, and the paper's statements.
+    structures: Vec<oracle::Row>,
+    a4: Vec<section4::Row>,
+    energy: Vec<Balance>,
+    claims: Vec<claims::Row>,
 }
 
-/// Runs the pendulum of Table 1 in all its models, hands tables to `print`, and writes pictures and `main.json` to `out`.
+/// The energy balance of a structure's run.
+#[derive(Serialize)]
+struct Balance {
+    model: &'static str,
+    /// Largest imbalance, and energy put in at the end, J.
+    largest: f64,
+    input: f64,
+    /// Bound of the first over the second.
+    bound: f64,
+}
+
+/// Bound of the imbalance over the energy put in.
+const BALANCE: f64 = 1e-8;
+
+impl Balance {
+    fn of(model: &'static str, motion: &scissors::Motion) -> Balance {
+        let [largest, input] = motion.energy_balance();
+        Balance { model, largest, input, bound: BALANCE }
+    }
+
+    /// A balance that is not a number does not hold.
+    fn holds(&self) -> bool {
+        self.largest <= self.bound * self.input
+    }
+}
+
+impl std::fmt::Display for Balance {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let Balance { model, largest, input, bound } = self;
+        write!(f, "{model}: energy balance {largest:.1e} J of {input:.1} J put in, bound {bound:.0e} of it")
+    }
+}
+
+/// Runs the pendulum of Table 1 and the structure of Table 2 in all their models, hands tables to `print`, and writes
+/// pictures and `main.json` to `out`.
 ///
 /// # Errors
-/// [`Error::Comparison`] when a run misses the oracle: the files are written all the same. Those of the runs themselves.
+/// [`Error::Comparison`] when a run misses the oracle or its energy balance: the files are written all the same. Those of
+/// the runs themselves.
 pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let clock = Instant::now();
     // First, so that a folder that cannot be written is not found after the work.
     let mut files = Files::in_folder(out)?;
-    let oracle = oracle::load()?;
-    print("Peng et al. (2018), Section 3: the heated pendulum of Table 1\n\n")?;
+    let (oracle, pinned) = (oracle::load()?, pinned::load()?);
 
+    print("Peng et al. (2018), Section 3: the heated pendulum of Table 1\n\n")?;
     let rows = oracle::compare(&oracle)?;
     print(&table::oracle(&rows))?;
     let models = pendulum::simulate()?;
     print(&table::tips(&models, &oracle))?;
     print(&table::differences(&models))?;
 
-    for (name, svg) in pendulum::pictures(&models, &oracle.rigid)? {
+    print("Section 4: the deployable structure of Table 2\n\n")?;
+    let structures = pinned::compare(&pinned)?;
+    print(&table::structures(&structures))?;
+    let structure = scissors::Structure::simulate()?;
+    let a4 = section4::rows(&structure);
+    print(&table::a4(&a4))?;
+    let family = &structure.fine;
+    let energy = vec![
+        Balance::of("flexible", &family.flexible),
+        Balance::of("1D", &family.axis),
+        Balance::of("2D", &family.axis_and_section),
+    ];
+    print(&table::energies(&energy))?;
+    let claims = claims::measure(&structure);
+    print(&table::claims(&claims))?;
+
+    let failed = rows.iter().chain(&structures).filter(|row| !row.holds()).map(ToString::to_string);
+    let failed: Vec<String> = failed.chain(energy.iter().filter(|e| !e.holds()).map(ToString::to_string)).collect();
+    for (name, svg) in pendulum::pictures(&models, &oracle.rigid)?.into_iter().chain(section4::pictures(&structure)?) {
         files.write(name, |file| file.write_all(svg.as_bytes()))?;
     }
     files.write("pendulum.csv", |file| report::write_csv(file, &pendulum::curves(&models)))?;
-    let failed: Vec<String> = rows.iter().filter(|row| !row.holds()).map(ToString::to_string).collect();
+    files.write("scissors.csv", |file| report::write_csv(file, &section4::curves(&structure)))?;
     let report = Report {
         wall_seconds: clock.elapsed().as_secs_f64(),
         oracle: rows,
         tip: models.iter().flat_map(pendulum::Model::rows).collect(),
+        structures,
+        a4,
+        energy,
+        claims,
     };
     files.write("main.json", |file| Ok(serde_json::to_writer_pretty(file, &report)?))?;
     let paths = files.publish()?;

@@ -48,7 +48,6 @@ pub struct Rigid {
 #[derive(Serialize)]
 pub struct Row {
     pub run: String,
-    pub elements: usize,
     pub step: f64,
     /// Over all of the oracle's times, m.
     pub largest_distance: f64,
@@ -104,7 +103,6 @@ pub fn compare(oracle: &Oracle) -> Result<Vec<Row>> {
         let distances = run.t.iter().zip(&run.tip).map(|(&t, tip)| ours.distance(t, *tip));
         Ok(Row {
             run: run.id.clone(),
-            elements: run.elements,
             step,
             largest_distance: distances.max_by(f64::total_cmp).unwrap_or(f64::NAN),
             oracle_error: run.error_estimate.position,

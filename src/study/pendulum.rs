@@ -143,6 +143,7 @@ pub fn pictures(models: &[Model], rigid: &Rigid) -> Result<Vec<(&'static str, St
     let curve = |name, colour, tip: &Tip, component: usize| Curve {
         name,
         colour,
+        faint: false,
         points: tip.t.iter().zip(&tip.r).map(|(t, r)| (*t, r[component])).collect(),
     };
     let rigid = Tip { t: rigid.t.clone(), r: rigid.tip.clone() };

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use super::oracle::{Oracle, Row};
 use super::pendulum::{self, ELEMENTS, Model, STEP, TIMES};
+use super::{Balance, claims, scissors, section4};
 
 /// Lines of text; writing into a string cannot fail.
 struct Lines(String);
@@ -23,16 +24,27 @@ impl Lines {
 
 /// Our runs beside the oracle's.
 pub fn oracle(rows: &[Row]) -> String {
-    let mut lines = Lines("1. The same meshes by the oracle: strain energy alone, DOP853, t = 0 … 0.5 s\n\n".into());
+    compared("1. The same meshes by the oracle: strain energy alone, DOP853, t = 0 … 0.5 s", rows)
+}
+
+/// Structures beside the oracle's, and stiff ones beside rigid ones.
+pub fn structures(rows: &[Row]) -> String {
+    let title = "4. Two pinned rods at different temperatures by the oracle, in free coordinates, t = 0 … 0.5 s (named by their elements);\n   \
+                 rigid-3: three scissors with E · 10⁴ beside the rigid mechanism, t = 0 … 2.9 s";
+    compared(title, rows)
+}
+
+fn compared(title: &str, rows: &[Row]) -> String {
+    let mut lines = Lines(format!("{title}\n\n"));
     lines.push(format_args!(
         "   {:14} {:>8} {:>16} {:>16} {:>10}  {}",
-        "run", "step, s", "distance, m", "its own error", "bound", "verdict"
+        "run", "step, s", "distance, m", "oracle's error", "bound", "verdict"
     ));
     for row in rows {
         let verdict = if row.holds() { "holds" } else { "FAILS" };
         let Row { run, step, largest_distance, oracle_error, bound, .. } = row;
         lines.push(format_args!(
-            "   {run:14} {step:8.0e} {largest_distance:16.1e} {oracle_error:16.1e} {bound:10.0e}  {verdict}"
+            "   {run:14} {step:8.1e} {largest_distance:16.1e} {oracle_error:16.1e} {bound:10.0e}  {verdict}"
         ));
     }
     lines.end()
@@ -86,6 +98,62 @@ pub fn differences(models: &[Model]) -> String {
         ];
         let values = pairs.iter().map(|(a, b)| format!("{:11.3}", distance(a, b))).collect::<Vec<_>>().join(" ");
         lines.push(format_args!("   t = {t:<4} s {values}"));
+    }
+    lines.end()
+}
+
+/// a4 over time, with what a coarser step and mesh change.
+pub fn a4(rows: &[section4::Row]) -> String {
+    let mut lines = Lines(format!(
+        "5. Point a4, m: {} elements a rod, energy–momentum, step {:.0e} s; and what twice the step and half the elements \
+         change\n\n   {:10} {:10} {:>10} {:>10} {:>12} {:>12}\n",
+        scissors::ELEMENTS,
+        scissors::STEP,
+        "model",
+        "",
+        "x",
+        "y",
+        "2 × step",
+        "½ elements"
+    ));
+    for row in rows {
+        let section4::Row { model, t, a4: [x, y], change_with_twice_the_step, change_with_half_the_elements } = row;
+        lines.push(format_args!(
+            "   {model:10} t = {t:<4} s {x:10.6} {y:10.6} {change_with_twice_the_step:12.1e} {change_with_half_the_elements:12.1e}"
+        ));
+    }
+    lines.end()
+}
+
+/// Energy balances.
+pub fn energies(rows: &[Balance]) -> String {
+    let mut lines = Lines("6. Energy balance of these runs, every step\n\n".into());
+    for row in rows {
+        lines.push(format_args!("   {row}: {}", if row.holds() { "holds" } else { "FAILS" }));
+    }
+    lines.end()
+}
+
+/// The paper's statements.
+pub fn claims(rows: &[claims::Row]) -> String {
+    let mut lines = Lines(format!(
+        "7. What the paper says of it, measured under the assumptions of `ancf scene scissors-3-thermal`: undamped (energy–\n   \
+         momentum), the same with half the elements and with twice the step, and damped (generalized-α, ρ∞ = {}, step {:.0e} s)\n",
+        scissors::DAMPED_RHO,
+        scissors::DAMPED_STEP
+    ));
+    for claims::Row { statement, measure, undamped, half_the_elements, twice_the_step, damped, verdict } in rows {
+        lines.push(format_args!("\n   {statement}"));
+        lines.push(format_args!("      {measure}"));
+        for (name, finding) in [
+            ("undamped", undamped),
+            ("½ elements", half_the_elements),
+            ("2 × step", twice_the_step),
+            ("damped", damped),
+        ] {
+            lines.push(format_args!("      {name:12} {}", finding.numbers));
+        }
+        lines.push(format_args!("      → {verdict}"));
     }
     lines.end()
 }

@@ -6,8 +6,10 @@
 use ancf::state::ElementState;
 use serde_json::Value;
 
+pub mod motion;
 pub mod pendulum;
 pub mod scale;
+pub mod system;
 
 /// Every value of the fixtures is met to this fraction of its scale: 45 roundings of f64.
 pub const TOLERANCE: f64 = 1e-14;
@@ -67,7 +69,7 @@ impl Case<'_> {
     }
 }
 
-fn flatten(value: &Value, numbers: &mut Vec<f64>) {
+pub fn flatten(value: &Value, numbers: &mut Vec<f64>) {
     match value {
         Value::Array(items) => items.iter().for_each(|item| flatten(item, numbers)),
         number => numbers.push(number.as_f64().unwrap()),

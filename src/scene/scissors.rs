@@ -1,0 +1,194 @@
+//! Deployable structures of Section 4: any number of scissor-like elements in a row.
+
+use std::collections::BTreeMap;
+use std::fmt::Display;
+
+use super::topology::MOST_ELEMENTS;
+use super::validate::require;
+use super::{
+    Constraints, Direction, Force, Material, Method, Output, Probe, Quantity, Rod, Scene, Schema, Section, Start,
+    Support, Temperature, ThermalModel, Time,
+};
+use crate::error::Result;
+
+/// Length of a rod, m (Table 2).
+const LENGTH: f64 = 2.0;
+
+/// Rods whose deflection is recorded: b1a2, b2a3, b3a4.
+const MOST_DEFLECTIONS: usize = 3;
+
+/// Temperature over time, s and K (Figure 6): one slope of 600 K/s fits the extremes and the inflection points.
+const TEMPERATURE: [[f64; 2]; 6] =
+    [[0.0, 0.0], [0.25, 150.0], [1.25, 150.0], [1.75, -150.0], [2.75, -150.0], [3.0, 0.0]];
+
+/// A row of scissor-like elements with the rods of Table 2, and what the text of the paper leaves open.
+///
+/// The points a1 … a(n+1) are above b1 … b(n+1); the rods a(k)–b(k+1) and b(k)–a(k+1) are pinned at their middles m(k).
+/// b1 is fixed, a1 slides on a vertical, and a force at a1 pushes it down, which drives the structure out along x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scissors {
+    /// Number of scissor-like elements, at least 1.
+    pub count: usize,
+    /// Angle between the rods and the x axis at the start, degrees; between 0 and 90.
+    pub angle: f64,
+    /// Force at a1 towards b1, N.
+    pub force: f64,
+    /// Number of elements of a rod.
+    pub elements: usize,
+    /// Which strains the changing temperature causes.
+    pub model: ThermalModel,
+}
+
+impl Scissors {
+    /// The paper's structure without heat, of `count` scissor-like elements in place of three.
+    pub fn new(count: usize) -> Scissors {
+        Scissors { count, angle: 80.0, force: 50.0, elements: 8, model: ThermalModel::None }
+    }
+
+    /// The structure that a scene's name means: `scissors-<n>`, or `scissors-<n>-thermal` with heat (2D).
+    pub fn named(name: &str) -> Option<Scissors> {
+        let count = name.strip_prefix("scissors-")?;
+        let (count, model) = match count.strip_suffix("-thermal") {
+            Some(count) => (count, ThermalModel::TwoD),
+            None => (count, ThermalModel::None),
+        };
+        let digits = count.bytes().all(|c| c.is_ascii_digit()) && (count == "0" || !count.starts_with('0'));
+        // A number that is too large for the type is too large for a scene as well, which says so.
+        let count = if digits && !count.is_empty() { count.parse().unwrap_or(usize::MAX) } else { return None };
+        Some(Scissors { model, ..Scissors::new(count) })
+    }
+
+    /// Its scene.
+    ///
+    /// # Errors
+    /// [`Error::Scene`](crate::error::Error::Scene) for numbers that are not allowed.
+    pub fn scene(&self) -> Result<Scene> {
+        self.check()?;
+        let (n, (sin, cos)) = (self.count, self.angle.to_radians().sin_cos());
+        let (height, pitch) = (LENGTH * sin, LENGTH * cos);
+        let column = |k: usize| (k - 1) as f64 * pitch;
+        let points =
+            (1..=n + 1).flat_map(|k| [(format!("a{k}"), [column(k), height]), (format!("b{k}"), [column(k), 0.0])]);
+        let scene = Scene {
+            schema: Schema::V1,
+            title: self.title(),
+            notes: self.notes(),
+            material: Material { youngs_modulus: 7e10, nu: 0.0, rho: 2750.0, alpha: 2.3e-5 },
+            section: Section { height: 0.02, width: 0.02 },
+            points: points.collect::<BTreeMap<_, _>>(),
+            rods: (1..=n).flat_map(|k| self.rods(k)).collect(),
+            supports: vec![support("b1", &[Direction::X, Direction::Y]), support("a1", &[Direction::X])],
+            forces: vec![Force { point: "a1".into(), force: [0.0, 0.0 - self.force], history: None }],
+            gravity: [0.0, 0.0],
+            temperature: self.temperature(),
+            constraints: Constraints::Condensed,
+            time: Time {
+                end: 3.0,
+                step: 2.5e-4,
+                method: Method::EnergyMomentum,
+                rho_inf: super::default_rho_inf(),
+                newton_tolerance: super::default_newton_tolerance(),
+                load_steps: super::default_load_steps(),
+            },
+            output: Output { interval: Some(0.01), energy: true },
+            probes: self.probes(),
+        };
+        scene.validate(&self.name())?;
+        Ok(scene)
+    }
+
+    fn check(&self) -> Result<()> {
+        let &Scissors { count, angle, force, elements, model: _ } = self;
+        let most = MOST_ELEMENTS / 2 / elements.max(1);
+        let refuse = |holds: bool, key: &str, value: &dyn Display, allowed: &dyn Display| {
+            require(holds, key, value, allowed).map_err(|refusal| refusal.into_error(&self.name(), None))
+        };
+        let allowed = format!("a whole number from 1 to {most}, as {MOST_ELEMENTS} elements are allowed in all rods");
+        refuse((1..=most).contains(&count), "scissors-<n>", &count, &allowed)?;
+        let allowed = "a number between 0 and 90 degrees, without both";
+        refuse(angle > 0.0 && angle < 90.0, "angle", &format!("{angle:?}"), &allowed)?;
+        refuse(force.is_finite(), "force", &format!("{force:?}"), &"a finite number, N")
+    }
+
+    /// The name of its scene.
+    fn name(&self) -> String {
+        let heat = if self.model == ThermalModel::None { "" } else { "-thermal" };
+        format!("scissors-{}{heat}", self.count)
+    }
+
+    /// The two rods of scissor-like element `k`.
+    fn rods(&self, k: usize) -> [Rod; 2] {
+        [("a", "b"), ("b", "a")].map(|(from, to)| {
+            let (from, to) = (format!("{from}{k}"), format!("{to}{}", k + 1));
+            Rod {
+                name: format!("{from}{to}"),
+                from,
+                to,
+                elements: self.elements,
+                pivot: Some(format!("m{k}")),
+                material: None,
+                section: None,
+                temperature: None,
+            }
+        })
+    }
+
+    fn temperature(&self) -> Option<Temperature> {
+        let heat = Temperature { model: self.model, start: Start::Sudden, history: TEMPERATURE.to_vec() };
+        (self.model != ThermalModel::None).then_some(heat)
+    }
+
+    /// The outermost upper point, and the deflections of the rods that begin at b1, b2 and b3.
+    fn probes(&self) -> Vec<Probe> {
+        let end = format!("a{}", self.count + 1);
+        let of = vec![Quantity::Position, Quantity::Velocity, Quantity::Acceleration];
+        let point = Probe { name: end.clone(), point: Some(end), rod: None, at: None, of };
+        let deflections = (1..=self.count.min(MOST_DEFLECTIONS)).map(|k| {
+            let rod = format!("b{k}a{}", k + 1);
+            Probe { name: rod.clone(), point: None, rod: Some(rod), at: Some(0.5), of: vec![Quantity::Deflection] }
+        });
+        std::iter::once(point).chain(deflections).collect()
+    }
+
+    fn title(&self) -> String {
+        let Scissors { count, angle, force, .. } = self;
+        let plural = if *count == 1 { "element" } else { "elements" };
+        let heat = match self.model {
+            ThermalModel::None => "without heat",
+            ThermalModel::OneD => "in changing temperature, heat strains the axis only",
+            ThermalModel::TwoD => "in changing temperature, heat strains the axis and the section",
+        };
+        format!(
+            "deployable structure of Table 2 (Peng et al. 2018): {count} scissor-like {plural} at {angle} degrees, \
+             driven by {force} N, {heat}"
+        )
+    }
+
+    /// What the text of the paper does not say.
+    fn notes(&self) -> Vec<String> {
+        let Scissors { angle, force, .. } = self;
+        let mut notes = vec![
+            "source: Peng et al. (2018), Section 4 and Table 2; Figures 5 and 6 are not in the text, so that what \
+             follows is assumed"
+                .to_string(),
+            format!("assumed: the rods are inclined by {angle} degrees at the start, and are pinned at their middles"),
+            "assumed supports: b1 is fixed, a1 slides on the line x = 0".into(),
+            format!("assumed: the force of {force} N at a1 is directed downwards, towards b1, and keeps its direction"),
+            "assumed: no gravity".into(),
+            "assumed: at rest at t = 0".into(),
+            "assumed: the deflection is plotted for the middle of the rods".into(),
+        ];
+        if self.model != ThermalModel::None {
+            notes.push(
+                "assumed: temperature is linear in time between the extremes of 150 and -150 K and the inflection \
+                 points at 0.25, 1.25, 1.75 and 2.75 s; it begins and ends at 0, where the rods are free of stress"
+                    .into(),
+            );
+        }
+        notes
+    }
+}
+
+fn support(point: &str, fix: &[Direction]) -> Support {
+    Support { point: point.into(), fix: fix.to_vec(), slide: None, clamp: None }
+}

@@ -1,0 +1,126 @@
+//! Φ(q) = 0 of equation (23): what pins and supports ask of the nodal vectors.
+//!
+//! All of it is linear in q, so that Φ_q is constant. Rows come in this order: pins by the names of their points, for each
+//! the rods that meet there in the scene's order, neighbour by neighbour, r(second) − r(first) = 0; then supports in the
+//! scene's order, each `fix`, `slide`, `clamp`, the first two on the point's first rod.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{DVector, Vector2};
+
+use super::{ConstraintRow, Node, Point, Structure};
+use crate::linear::Bordered;
+use crate::scene::{Direction, Scene, Support};
+
+/// One row: Σ weight · nodal vector = 0.
+pub(super) struct Row {
+    pub terms: Vec<Term>,
+}
+
+/// A nodal vector of a rod, by its place in the rod's chain, with its weight.
+pub(super) struct Term {
+    pub rod: usize,
+    pub vector: usize,
+    pub weight: Vector2<f64>,
+}
+
+/// Every constraint of a scene.
+pub(super) fn rows(scene: &Scene, points: &BTreeMap<String, Point>) -> Vec<Row> {
+    let pins = points.values().flat_map(|point| point.nodes.windows(2)).flat_map(|pair| pin(pair[0], pair[1]));
+    pins.chain(supports(scene, points)).collect()
+}
+
+/// Both rows of a pin between the nodes of two rods.
+pub(super) fn pin(first: Node, second: Node) -> [Row; 2] {
+    [Vector2::x(), Vector2::y()].map(|axis| Row { terms: vec![position(second, axis), position(first, -axis)] })
+}
+
+/// The rows of all supports.
+pub(super) fn supports(scene: &Scene, points: &BTreeMap<String, Point>) -> impl Iterator<Item = Row> {
+    scene.supports.iter().flat_map(|support| {
+        let node = points[&support.point].nodes[0];
+        let held = held_directions(support).into_iter().map(move |direction| position(node, direction));
+        let clamp = clamped(scene, points, support);
+        let clamp = clamp.map(|(node, weight)| Term { rod: node.rod, vector: node.director, weight });
+        held.chain(clamp).map(|term| Row { terms: vec![term] })
+    })
+}
+
+fn position(node: Node, weight: Vector2<f64>) -> Term {
+    Term { rod: node.rod, vector: node.position, weight }
+}
+
+/// Unit vectors along which a support holds its point.
+pub(super) fn held_directions(support: &Support) -> Vec<Vector2<f64>> {
+    let axis = |direction: &Direction| match direction {
+        Direction::X => Vector2::x(),
+        Direction::Y => Vector2::y(),
+    };
+    support.fix.iter().map(axis).chain(support.across().map(Vector2::from)).collect()
+}
+
+/// The node whose section a support clamps, and the direction t₀ that its r_y must not have a part of.
+pub(super) fn clamped(
+    scene: &Scene,
+    points: &BTreeMap<String, Point>,
+    support: &Support,
+) -> Option<(Node, Vector2<f64>)> {
+    let name = support.clamp.as_ref()?;
+    let node = points[&support.point].nodes.iter().find(|node| scene.rods[node.rod].name == *name)?;
+    let rod = &scene.rods[node.rod];
+    let along = Vector2::from(scene.points[&rod.to]) - Vector2::from(scene.points[&rod.from]);
+    Some((*node, along.normalize()))
+}
+
+impl Structure {
+    /// Unknown of the multiplier of a constraint row, in the order of rows; `None` after the last, and in the condensed form.
+    pub fn multiplier(&self, row: usize) -> Option<usize> {
+        self.rows.get(row).map(|row| row.multiplier)
+    }
+
+    /// Adds Φ_qᵀ λ, with λ from the entries of `x`, to the forces.
+    pub fn add_constraint_forces(&self, x: &DVector<f64>, sum: &mut DVector<f64>) {
+        for row in &self.rows {
+            row.terms.iter().for_each(|&(_, unknown, weight)| sum[unknown] += weight * x[row.multiplier]);
+        }
+    }
+
+    /// Writes Φ_q `x` into the constraint rows of `value`.
+    pub fn set_constraint_rows(&self, x: &DVector<f64>, value: &mut DVector<f64>) {
+        for row in &self.rows {
+            value[row.multiplier] = row.of(x);
+        }
+    }
+
+    /// Adds `factor` · Φ_qᵀ beside, and Φ_q below, the matrix of the other unknowns.
+    pub fn add_constraints(&self, factor: f64, matrix: &mut Bordered) {
+        for row in &self.rows {
+            for &(rod, unknown, weight) in &row.terms {
+                let mut block = matrix.block(rod);
+                block.add(unknown, row.multiplier, factor * weight);
+                block.add(row.multiplier, unknown, weight);
+            }
+        }
+    }
+
+    /// Takes λ out of a solution: it keeps the rest, with zeros in their place.
+    pub fn take_multipliers(&self, solution: &mut DVector<f64>) -> DVector<f64> {
+        let mut multipliers = DVector::zeros(self.size());
+        for row in &self.rows {
+            multipliers[row.multiplier] = std::mem::take(&mut solution[row.multiplier]);
+        }
+        multipliers
+    }
+
+    /// Largest |Φ(q)|, m, and |Φ_q v|, m/s, of the multipliers' form, at displacement `u` and velocity `v`.
+    pub fn constraint_residual(&self, u: &DVector<f64>, v: &DVector<f64>) -> [f64; 2] {
+        [u, v].map(|x| self.rows.iter().map(|row| row.of(x).abs()).max_by(f64::total_cmp).unwrap_or(0.0))
+    }
+}
+
+impl ConstraintRow {
+    /// Its Φ_q x.
+    fn of(&self, x: &DVector<f64>) -> f64 {
+        self.terms.iter().map(|&(_, unknown, weight)| weight * x[unknown]).sum()
+    }
+}

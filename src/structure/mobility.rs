@@ -1,0 +1,174 @@
+//! Whether a structure is held: statics needs supports and pins that leave no motion without a strain.
+//!
+//! Rods taken as rigid move by three numbers each, the velocity of the beginning and ω L, and constraints are linear in
+//! them: C x = 0. The structure drifts where that has a solution x ≠ 0. C = Q R by rotations, and inverse iteration on
+//! RᵀR finds the x that C stretches least, without the digits that forming CᵀC would cost. It is a first-order
+//! statement: two rods in line, pinned where they meet, can move across for no strain at first, and are refused.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{DVector, Vector2, Vector3};
+
+use super::constraints::{Row, pin, supports};
+use super::numbering::outwards;
+use super::rod::Rod;
+use super::unknowns::kind;
+use super::{Kind, Point};
+use crate::error::{Error, Result};
+use crate::scene::Scene;
+
+/// |C x| / |x| below which x is a motion without strain: above what rounding leaves of zero in thousands of rods, and below
+/// what such a structure stretches where it is held.
+const DRIFTS: f64 = 1e-12;
+
+/// What stands for a zero on the diagonal of R.
+const ZERO: f64 = 1e-18;
+
+const ITERATIONS: usize = 4;
+
+/// Most rods that the message names.
+const MOST_NAMES: usize = 4;
+
+/// Numbers that a rod moves by.
+const MOTIONS: usize = 3;
+
+/// Refuses a structure that can move without a strain.
+///
+/// # Errors
+/// [`Error::Drifts`] with the rods that move; [`Error::TooLarge`] where too many rods meet for the memory.
+pub(super) fn check(scene: &Scene, points: &BTreeMap<String, Point>, rods: &[Rod]) -> Result<()> {
+    let place = places(rods.len(), points);
+    let mut rows: Vec<Vec<(usize, f64)>> = Vec::new();
+    for point in points.values() {
+        let mut nodes = point.nodes.clone();
+        // Neighbours in the order of places, so that the band stays narrow where many rods meet.
+        nodes.sort_by_key(|node| place[node.rod]);
+        let pins = nodes.windows(2).flat_map(|pair| pin(pair[0], pair[1]));
+        rows.extend(pins.map(|row| rates(scene, rods, &place, &row)));
+    }
+    rows.extend(supports(scene, points).map(|row| rates(scene, rods, &place, &row)));
+    rows.sort_by_key(|row| row.iter().map(|(column, _)| *column).min());
+
+    let mut triangle = Triangle::new(MOTIONS * rods.len(), &rows)?;
+    rows.iter().for_each(|row| triangle.rotate_in(row));
+    let mut x = DVector::from_fn(triangle.size, |n, _| 1.0 + 0.5 * (1.7 * n as f64).sin());
+    for _ in 0..ITERATIONS {
+        triangle.solve_transposed(&mut x);
+        x /= x.amax();
+        triangle.solve(&mut x);
+        x /= x.amax();
+    }
+    let stretch = |row: &Vec<(usize, f64)>| row.iter().map(|(column, weight)| weight * x[*column]).sum::<f64>().powi(2);
+    if rows.iter().map(stretch).sum::<f64>().sqrt() > DRIFTS * x.norm() {
+        return Ok(());
+    }
+    let moves = |rod: usize| x.rows(MOTIONS * place[rod], MOTIONS).amax() > 1e-6;
+    let moving: Vec<String> =
+        (0..rods.len()).filter(|&rod| moves(rod)).map(|rod| format!("`{}`", rods[rod].name)).collect();
+    let more = if moving.len() > MOST_NAMES { " …" } else { "" };
+    Err(Error::Drifts { rods: moving[..moving.len().min(MOST_NAMES)].join(", ") + more })
+}
+
+/// The upper triangular factor of a matrix whose rows reach no further than a band.
+struct Triangle {
+    size: usize,
+    width: usize,
+    /// Row k holds columns k … k + width − 1.
+    entries: Vec<f64>,
+}
+
+impl Triangle {
+    /// Without any rows yet; `rows` say how far they will reach.
+    fn new(size: usize, rows: &[Vec<(usize, f64)>]) -> Result<Triangle> {
+        let reach = |row: &Vec<(usize, f64)>| {
+            let columns = || row.iter().map(|(column, _)| *column);
+            columns().max().zip(columns().min()).map_or(0, |(last, first)| last - first)
+        };
+        let width = 1 + rows.iter().map(reach).max().unwrap_or(0);
+        super::build::check_memory(size, width, size.saturating_mul(width).saturating_mul(size_of::<f64>()))?;
+        Ok(Triangle { size, width, entries: vec![0.0; size * width] })
+    }
+
+    /// Adds a row by Givens rotations, each of which clears its first entry.
+    fn rotate_in(&mut self, row: &[(usize, f64)]) {
+        let Some(first) = row.iter().map(|(column, _)| *column).min() else { return };
+        let mut rest = vec![0.0; self.width];
+        row.iter().for_each(|(column, weight)| rest[column - first] += weight);
+        for k in first..self.size {
+            let own = &mut self.entries[k * self.width..(k + 1) * self.width];
+            let length = own[0].hypot(rest[0]);
+            if length > 0.0 {
+                let (cos, sin) = (own[0] / length, rest[0] / length);
+                for (own, rest) in own.iter_mut().zip(&mut rest) {
+                    (*own, *rest) = (cos * *own + sin * *rest, cos * *rest - sin * *own);
+                }
+            }
+            rest.rotate_left(1);
+            rest[self.width - 1] = 0.0;
+            if rest.iter().all(|entry| entry.abs() <= f64::EPSILON * f64::EPSILON) {
+                return;
+            }
+        }
+    }
+
+    fn diagonal(&self, k: usize) -> f64 {
+        let diagonal = self.entries[k * self.width];
+        if diagonal.abs() > ZERO { diagonal } else { ZERO }
+    }
+
+    /// Solves R x = b in place.
+    fn solve(&self, b: &mut DVector<f64>) {
+        for k in (0..self.size).rev() {
+            let last = (k + self.width).min(self.size);
+            let row = &self.entries[k * self.width..];
+            let known: f64 = (k + 1..last).map(|column| row[column - k] * b[column]).sum();
+            b[k] = (b[k] - known) / self.diagonal(k);
+        }
+    }
+
+    /// Solves Rᵀ x = b in place.
+    fn solve_transposed(&self, b: &mut DVector<f64>) {
+        for k in 0..self.size {
+            b[k] /= self.diagonal(k);
+            let row = &self.entries[k * self.width..];
+            for column in k + 1..(k + self.width).min(self.size) {
+                b[column] -= row[column - k] * b[k];
+            }
+        }
+    }
+}
+
+/// Place of each rod in an order in which those that meet are close together.
+fn places(rods: usize, points: &BTreeMap<String, Point>) -> Vec<usize> {
+    let mut touches = vec![Vec::new(); rods];
+    for (n, point) in points.values().enumerate() {
+        point.nodes.iter().for_each(|node| touches[node.rod].push(n));
+    }
+    let mut place = vec![0; rods];
+    outwards(points.len(), &touches).into_iter().enumerate().for_each(|(n, rod)| place[rod] = n);
+    place
+}
+
+/// A constraint row's factors of the motions (v_x, v_y, ω L) of its rods, by their columns.
+fn rates(scene: &Scene, rods: &[Rod], place: &[usize], row: &Row) -> Vec<(usize, f64)> {
+    let rate = |rod: usize, vector: usize, weight: Vector2<f64>| {
+        let ends = [&scene.rods[rod].from, &scene.rods[rod].to].map(|name| Vector2::from(scene.points[name]));
+        let along = (ends[1] - ends[0]).normalize();
+        let across = Vector2::new(-along.y, along.x);
+        match kind(&rods[rod], vector) {
+            // r = r_from + s L t moves by v + ω s L n.
+            Kind::Position => {
+                let node = (2 * vector).div_ceil(5) as f64 / 2.0;
+                let fraction = node / rods[rod].elements as f64;
+                Vector3::new(weight.x, weight.y, fraction * weight.dot(&across))
+            }
+            // r_y = n turns by −ω t.
+            _ => Vector3::new(0.0, 0.0, -weight.dot(&along)),
+        }
+    };
+    let terms = row.terms.iter().flat_map(|term| {
+        let rates = rate(term.rod, term.vector, term.weight);
+        (0..MOTIONS).map(move |n| (MOTIONS * place[term.rod] + n, rates[n]))
+    });
+    terms.filter(|(_, rate)| *rate != 0.0).collect()
+}

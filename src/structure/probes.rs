@@ -1,0 +1,112 @@
+//! What a probe looks at: positions, reactions, deflections.
+
+use nalgebra::{DVector, Vector2};
+
+use super::rod::Components;
+use super::{Node, Structure};
+use crate::equations::shape;
+use crate::kernel::ThermalStrain;
+
+/// What acts at an instant.
+#[derive(Clone, Copy, Debug)]
+pub struct Instant<'a> {
+    /// Displacement.
+    pub u: &'a DVector<f64>,
+    /// Acceleration; zero in statics.
+    pub a: &'a DVector<f64>,
+    /// Time, s; the load factor in statics.
+    pub t: f64,
+    /// λ in their places; read in the multipliers' form only.
+    pub multipliers: &'a DVector<f64>,
+}
+
+impl Structure {
+    /// Position of a point of the scene.
+    pub fn position(&self, point: &str, u: &DVector<f64>) -> [f64; 2] {
+        let [x, y] = self.at_point(point, u);
+        let start = self.points[point].start;
+        [start[0] + x, start[1] + y]
+    }
+
+    /// A point's entries of a vector of unknowns, such as its velocity; zero where it is held.
+    pub fn at_point(&self, point: &str, vector: &DVector<f64>) -> [f64; 2] {
+        self.components(point).get(vector).into()
+    }
+
+    /// The point's position among the unknowns: that of the first rod there.
+    pub(super) fn components(&self, point: &str) -> Components {
+        let Node { rod, position, .. } = self.points[point].nodes[0];
+        self.rods[rod].chain[position]
+    }
+
+    /// Unknown of a component (0: x, 1: y) of a nodal vector of a rod, by its place in the rod's order r, r_y, then r_j,
+    /// r_xj, r_yj, r_k, r_yk for each element; `None` where it is held, or there is no such rod or vector.
+    pub fn unknown(&self, rod: &str, vector: usize, component: usize) -> Option<usize> {
+        let rod = self.rods.iter().find(|known| known.name == rod)?;
+        rod.chain.get(vector)?.unknowns.get(component).copied()?
+    }
+
+    /// Distance of a rod's axis, at a fraction of its length, from the chord through its ends, m; positive to the left.
+    ///
+    /// With the chord c and the displacements δ there and Δ of the end, both from that of the beginning, the distance is
+    /// c × (δ − fraction · Δ)/|c|: no difference of large numbers for a small deflection.
+    pub fn deflection(&self, rod: &str, fraction: f64, u: &DVector<f64>) -> f64 {
+        let Some(rod) = self.rods.iter().find(|known| known.name == rod) else { return f64::NAN };
+        let place = fraction * rod.elements as f64;
+        let element = (place.floor() as usize).min(rod.elements - 1);
+        let l = rod.element.l;
+        let shapes = shape::S_i((place - element as f64) * l, 0.0, l);
+        let axis =
+            rod.vectors(element).iter().zip(shapes).fold(Vector2::zeros(), |sum, (vector, s)| sum + s * vector.get(u));
+        let [start, end] = [0, 5 * rod.elements].map(|vector| rod.chain[vector].get(u));
+        let e_0 = shape::nodes(&rod.element.e_0);
+        let chord = (e_0.r_k - e_0.r_i) * rod.elements as f64 + end - start;
+        chord.perp(&(axis - start - fraction * (end - start))) / chord.norm()
+    }
+
+    /// Force of the supports on the structure at a point, N.
+    pub fn reaction(&self, point: &str, now: Instant) -> [f64; 2] {
+        let point_force = if self.rows.is_empty() { self.point_force(point, now.t) } else { Vector2::zeros() };
+        let on_rods = self.points[point].nodes.iter().map(|node| self.node_force(*node, now));
+        (on_rods.sum::<Vector2<f64>>() - point_force).into()
+    }
+
+    /// All that acts on one rod at a point but for its weight, N: other rods, supports and point forces, which the point's
+    /// first rod takes in the multipliers' form.
+    pub fn force_on_rod(&self, point: &str, rod: &str, now: Instant) -> [f64; 2] {
+        let nodes = &self.points[point].nodes;
+        let Some(node) = nodes.iter().find(|node| self.rods[node.rod].name == rod) else { return [f64::NAN; 2] };
+        let multiplied = !self.rows.is_empty() && *node == nodes[0];
+        let point_force = if multiplied { self.point_force(point, now.t) } else { Vector2::zeros() };
+        (self.node_force(*node, now) + point_force).into()
+    }
+
+    /// Force of what the point's rod is held by there: −Φ_qᵀ λ where there are multipliers, M a + Q_e − Q_w otherwise.
+    fn node_force(&self, node: Node, now: Instant) -> Vector2<f64> {
+        let rod = &self.rods[node.rod];
+        if !self.rows.is_empty() {
+            let [x, y] = rod.chain[node.position].unknowns;
+            let terms = self.rows.iter().flat_map(|row| row.terms.iter().map(move |term| (row.multiplier, term)));
+            let along = |axis| {
+                let its = terms.clone().filter(|(_, (_, unknown, _))| Some(*unknown) == axis);
+                its.map(|(multiplier, (_, _, weight))| weight * now.multipliers[multiplier]).sum::<f64>()
+            };
+            return -Vector2::new(along(x), along(y));
+        }
+        let thermal: ThermalStrain = self.thermal_strains(now.t)[node.rod];
+        let weight = if self.grows { now.t } else { 1.0 };
+        let elements = (0..rod.elements).filter(|element| (5 * element..5 * element + 7).contains(&node.position));
+        let force = |element: usize| {
+            let inertia = rod.mass * rod.gather(element, now.a);
+            let force = inertia + rod.kernel.force(&rod.gather(element, now.u), thermal) - weight * rod.gravity;
+            force.fixed_rows::<2>(2 * (node.position - 5 * element)).into_owned()
+        };
+        elements.map(force).sum()
+    }
+
+    fn point_force(&self, point: &str, t: f64) -> Vector2<f64> {
+        let its = self.forces.iter().filter(|force| force.point == point);
+        let full: Vector2<f64> = its.map(|force| Vector2::from(force.at(t))).sum();
+        if self.grows { t * full } else { full }
+    }
+}

@@ -1,0 +1,147 @@
+//! Which unknown each coordinate is: a rod's own, then what rods share or the multipliers.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{Matrix2, Rotation2, Vector2};
+
+use super::constraints::{Row, clamped, held_directions};
+use super::numbering::order;
+use super::rod::{Components, Rod};
+use super::{ConstraintRow, Kind, Point};
+use crate::linear::{BlockLayout, Layout};
+use crate::scene::Scene;
+
+/// The unknowns' order and what they measure.
+pub(super) struct Numbering {
+    pub layout: Layout,
+    pub kinds: Vec<Kind>,
+    pub rows: Vec<ConstraintRow>,
+}
+
+/// Numbers the unknowns that are a rod's own, all but those of the `shared` vectors of its chain.
+fn number_own(rods: &mut [Rod], shared: impl Fn(usize, usize) -> bool, held: &Held) -> Numbering {
+    let (mut layout, mut kinds) = (Layout::default(), Vec::new());
+    for (n, rod) in rods.iter_mut().enumerate() {
+        let first = kinds.len();
+        for vector in (0..rod.chain.len()).filter(|&vector| !shared(n, vector)) {
+            rod.chain[vector] = held.components(n, vector, kind(rod, vector), &mut kinds);
+        }
+        let band = (0..rod.elements).map(|element| spread(rod.vectors(element), first)).max().unwrap_or(0);
+        layout.blocks.push(BlockLayout { first, size: kinds.len() - first, band, touches: Vec::new() });
+    }
+    layout.border = kinds.len();
+    Numbering { layout, kinds, rows: Vec::new() }
+}
+
+/// Rods share the positions of points where several of them meet; what is held has no unknown.
+pub(super) fn condensed(scene: &Scene, points: &BTreeMap<String, Point>, rods: &mut [Rod]) -> Numbering {
+    let held = Held::of(scene, points);
+    let shared: Vec<&Point> = points.values().filter(|point| point.nodes.len() > 1).collect();
+    let mut touches = vec![Vec::new(); rods.len()];
+    let mut at = BTreeMap::new();
+    for (n, node) in shared.iter().enumerate().flat_map(|(n, point)| point.nodes.iter().map(move |node| (n, node))) {
+        touches[node.rod].push(n);
+        at.insert((node.rod, node.position), n);
+    }
+    let mut numbering = number_own(rods, |rod, vector| at.contains_key(&(rod, vector)), &held);
+    for point in order(shared.len(), &touches).into_iter().map(|n| shared[n]) {
+        let first = point.nodes[0];
+        let components = held.components(first.rod, first.position, Kind::Position, &mut numbering.kinds);
+        for node in &point.nodes {
+            rods[node.rod].chain[node.position] = components;
+            numbering.layout.blocks[node.rod].touches.extend(components.unknowns.iter().flatten());
+        }
+    }
+    numbering.finish()
+}
+
+/// Every rod has all of its unknowns; the border is made of multipliers.
+pub(super) fn with_multipliers(rows: Vec<Row>, rods: &mut [Rod]) -> Numbering {
+    let mut numbering = number_own(rods, |_, _| false, &Held::default());
+    let mut touches = vec![Vec::new(); rods.len()];
+    for (n, term) in rows.iter().enumerate().flat_map(|(n, row)| row.terms.iter().map(move |term| (n, term))) {
+        touches[term.rod].push(n);
+    }
+    let mut numbered = BTreeMap::new();
+    for n in order(rows.len(), &touches) {
+        let multiplier = numbering.kinds.len();
+        numbering.kinds.push(Kind::Multiplier);
+        let mut terms = Vec::new();
+        for term in &rows[n].terms {
+            numbering.layout.blocks[term.rod].touches.push(multiplier);
+            let unknowns = rods[term.rod].chain[term.vector].unknowns.iter().flatten().zip(&term.weight);
+            terms.extend(unknowns.filter(|(_, weight)| **weight != 0.0).map(|(u, weight)| (term.rod, *u, *weight)));
+        }
+        numbered.insert(n, ConstraintRow { multiplier, terms });
+    }
+    numbering.rows = numbered.into_values().collect();
+    numbering.finish()
+}
+
+impl Numbering {
+    /// Size and band of the border, once all of it is numbered.
+    fn finish(mut self) -> Numbering {
+        self.layout.border_size = self.kinds.len() - self.layout.border;
+        for block in &mut self.layout.blocks {
+            block.touches.sort_unstable();
+            block.touches.dedup();
+        }
+        let spread = |block: &BlockLayout| Some(block.touches.last()? - block.touches.first()?);
+        self.layout.border_band = self.layout.blocks.iter().filter_map(spread).max().unwrap_or(0);
+        self
+    }
+}
+
+/// What supports hold of nodal vectors, by rod and place in its chain: one direction, or both.
+#[derive(Default)]
+struct Held(BTreeMap<(usize, usize), Vec<Vector2<f64>>>);
+
+impl Held {
+    fn of(scene: &Scene, points: &BTreeMap<String, Point>) -> Held {
+        let mut held: BTreeMap<(usize, usize), Vec<Vector2<f64>>> = BTreeMap::new();
+        for support in &scene.supports {
+            for node in &points[&support.point].nodes {
+                held.entry((node.rod, node.position)).or_default().extend(held_directions(support));
+            }
+            if let Some((node, direction)) = clamped(scene, points, support) {
+                held.entry((node.rod, node.director)).or_default().push(direction);
+            }
+        }
+        Held(held)
+    }
+
+    /// New unknowns for the components of a nodal vector that are not held; in axes of its own where one oblique
+    /// direction is held.
+    fn components(&self, rod: usize, vector: usize, kind: Kind, kinds: &mut Vec<Kind>) -> Components {
+        let directions = self.0.get(&(rod, vector)).map_or(&[][..], Vec::as_slice);
+        let (held, turn) = match directions {
+            [] => ([false; 2], None),
+            [direction] if direction.y == 0.0 => ([true, false], None),
+            [direction] if direction.x == 0.0 => ([false, true], None),
+            [n] => ([false, true], Some(Rotation2::from_matrix_unchecked(Matrix2::new(n.y, n.x, -n.x, n.y)))),
+            _ => ([true; 2], None),
+        };
+        let unknowns = held.map(|held| {
+            (!held).then(|| {
+                kinds.push(kind);
+                kinds.len() - 1
+            })
+        });
+        Components { unknowns, turn }
+    }
+}
+
+/// What a nodal vector of a rod's chain measures.
+pub(super) fn kind(rod: &Rod, vector: usize) -> Kind {
+    match vector % 5 {
+        0 | 2 => Kind::Position,
+        3 => Kind::Slope(rod.element.l),
+        _ => Kind::Slope(rod.element.h),
+    }
+}
+
+/// How far apart an element's own unknowns, those from `first` on, are numbered. Shared ones have no number yet.
+fn spread(vectors: &[Components], first: usize) -> usize {
+    let numbers = || vectors.iter().flat_map(|vector| vector.unknowns).flatten().filter(|&unknown| unknown >= first);
+    numbers().max().zip(numbers().min()).map_or(0, |(last, first)| last - first)
+}
