@@ -180,9 +180,9 @@ impl Structure {
 
     /// Rounding error of an energy, J: ε_mach times the strain energy of a strain of 1.
     pub fn energy_rounding(&self) -> f64 {
-        f64::EPSILON
-            * self.unit_forces.max()
-            * self.rods.iter().map(|rod| rod.elements as f64 * rod.element.l).sum::<f64>()
+        let positions = self.unit_forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
+        let length: f64 = self.rods.iter().map(|rod| rod.elements as f64 * rod.element.l).sum();
+        f64::EPSILON * length * positions.map(|(force, _)| *force).fold(0.0, f64::max)
     }
 
     /// Elastic forces into `sum`, at the rods' thermal strains.

@@ -7,7 +7,6 @@ mod common;
 
 use ancf::counts::Counts;
 use ancf::integrators::{acceleration, mass_factors};
-use ancf::linear::Bordered;
 use ancf::scene::{Constraints, Method, Scene};
 use ancf::structure::Structure;
 use common::system::{Terms, systems};
@@ -147,8 +146,8 @@ fn constraints_and_their_derivative() {
         let ones = vec![1.0; ours.rows.len()];
         assert_close(ours.terms.id, &ours.rows_of(&Phi), &ours.terms.value("23.Phi"), &ones);
 
-        let mut matrix: Bordered = ours.structure.mass().clone();
-        matrix.scale(0.0);
+        // Multipliers have no mass: what stands in their rows and columns are the constraints.
+        let mut matrix = ours.structure.mass();
         ours.structure.add_constraints(1.0, &mut matrix);
         let dense = matrix.dense();
         let below = ours.rows.iter().flat_map(|&i| ours.coordinates.iter().map(move |&j| (i, j)));
@@ -169,7 +168,7 @@ fn the_residual_with_constraint_forces() {
             places.iter().zip(numbers).for_each(|(&unknown, value)| vector[unknown] = *value);
         };
         place(&ours.terms.state.q_ddot, &ours.coordinates, &mut given);
-        let mut residual = ours.structure.mass().mul(&given) + ours.elastic() - ours.structure.load(ours.t);
+        let mut residual = ours.structure.inertia(&given) + ours.elastic() - ours.structure.load(ours.t);
         place(&ours.terms.state.lambda, &ours.rows, &mut given);
         ours.structure.add_constraint_forces(&given, &mut residual);
         let expected = ours.terms.value("23.residual");

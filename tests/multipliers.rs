@@ -265,15 +265,15 @@ fn parameters() -> [f64; 3] {
     [0.25 * (1.0f64 - alpha_m + alpha_f).powi(2), alpha_m, alpha_f]
 }
 
-/// The iteration matrix of generalized-α at a disturbed state: (1 − α_m)/(β Δt²) M + (1 − α_f)(K and Φ_qᵀ), and Φ_q.
+/// The iteration matrix of generalized-α at a disturbed state over 1 − α_f: (1 − α_m)/((1 − α_f) β Δt²) M + K beside Φ_qᵀ, and
+/// Φ_q.
 fn iteration_matrix(structure: &Structure, step: f64) -> Bordered {
     let [beta, alpha_m, alpha_f] = parameters();
     let mut u = DVector::from_fn(structure.size(), |i, _| 1e-3 * (1.7 * i as f64 + 0.3).sin());
     structure.take_multipliers(&mut u);
     let mut matrix = structure.tangent(&u, &structure.thermal_strains(0.0));
-    matrix.scale(1.0 - alpha_f);
-    matrix.add_scaled((1.0 - alpha_m) / (beta * step * step), &structure.mass());
-    structure.add_constraints(1.0 - alpha_f, &mut matrix);
+    matrix.add_scaled((1.0 - alpha_m) / ((1.0 - alpha_f) * beta * step * step), &structure.mass());
+    structure.add_constraints(1.0, &mut matrix);
     matrix
 }
 

@@ -512,7 +512,7 @@ fn many_rods_may_meet_at_one_point() {
     scene.rods.clear();
     scene.points = [("hub".to_string(), [0.0, 0.0])].into();
     scene.supports.clear();
-    for n in 0..3000 {
+    for n in 0..6000 {
         let name = format!("p{n}");
         scene.points.insert(name.clone(), [f64::from(n).cos(), f64::from(n).sin()]);
         (rod.name, rod.to) = (format!("r{n}"), name.clone());
@@ -523,4 +523,44 @@ fn many_rods_may_meet_at_one_point() {
     scene.forces[0].point = "hub".into();
     scene.probes.clear();
     assert!(run(&scene).unwrap().counts.newton_iterations <= 5);
+}
+
+/// A rod that is fixed and clamped at its pivot is two cantilevers, each as stiff as one by itself. With an even number of
+/// elements, whose pivot is a node between two, that holds but for the section's stretch there, which grows with the square
+/// of the load; with an odd one, whose pivot is the middle of an element, as far as that element can bend on one side only.
+#[test]
+fn a_clamp_at_a_pivot_makes_two_cantilevers() {
+    let tip = |elements: usize, from: [f64; 2], at: &str| {
+        let mut scene = Scene::builtin("scissor-static").unwrap();
+        scene.points = [("a", from), ("b", [1.0, 0.0]), ("c", [0.0, -1.0]), ("d", [0.0, 1.0])]
+            .map(|(name, position)| (name.to_string(), position))
+            .into();
+        let pivot = (at == "m").then(|| "m".to_string());
+        for (rod, [name, from, to]) in scene.rods.iter_mut().zip([["one", "a", "b"], ["two", "c", "d"]]) {
+            (rod.name, rod.from, rod.to) = (name.into(), from.into(), to.into());
+            (rod.elements, rod.pivot) = (elements, pivot.clone());
+        }
+        let hold = |point: &str, clamp: &str, fix: Vec<Direction>| Support {
+            point: point.into(),
+            fix,
+            slide: None,
+            clamp: Some(clamp.into()),
+        };
+        let both = || vec![Direction::X, Direction::Y];
+        scene.supports = match at {
+            "m" => vec![hold("m", "one", both()), hold("m", "two", Vec::new())],
+            _ => vec![hold("a", "one", both()), hold("c", "two", both())],
+        };
+        (scene.forces[0].point, scene.forces[0].force) = ("b".into(), [0.0, -0.05]);
+        scene.probes = vec![probe("b", &[Quantity::Position])];
+        positions(&must_run(&scene), "b").pop().unwrap()
+    };
+    let one = tip(2, [0.0, 0.0], "a");
+    assert!(one[1] < -1e-5, "it does not bend: {one:?}");
+    for (elements, bound) in [(4, 1e-9), (9, 0.05), (19, 0.025)] {
+        let two = tip(elements, [-1.0, 0.0], "m");
+        let off = (two[1] - one[1]).abs() / one[1].abs();
+        println!("{elements} elements: off by {off:.1e} of the deflection");
+        assert!(off <= bound, "{elements} elements: {two:?}, by itself {one:?}");
+    }
 }

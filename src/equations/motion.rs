@@ -43,15 +43,16 @@ pub fn constraint_force_printed(Phi_q: &DMatrix<f64>, lambda: &DVector<f64>) -> 
 
 /// (23) What is left of m q̈ + k(ΔT) q + Φ_qᵀ λ = f, zero on a motion; n numbers, N and N m.
 ///
-/// `kq` is k(ΔT) q, the elements' Q_e of (19) added up; `force` is Φ_qᵀ λ, [`constraint_force`].
+/// `kq` is k(ΔT) q, the elements' Q_e of (19) added up; `Phi_q_lambda` the constraints' force, [`constraint_force`], or what is
+/// printed for it.
 pub fn system_residual(
     m: &DMatrix<f64>,
     q_ddot: &DVector<f64>,
     kq: &DVector<f64>,
-    force: &DVector<f64>,
+    Phi_q_lambda: &DVector<f64>,
     f: &DVector<f64>,
 ) -> DVector<f64> {
-    m * q_ddot + kq + force - f
+    m * q_ddot + kq + Phi_q_lambda - f
 }
 
 /// (23) solved for the accelerations q̈ and the multipliers λ that it begins with:

@@ -1,4 +1,4 @@
-//! What a probe looks at: positions, reactions, deflections.
+//! What a probe looks at: positions, reactions, deflections. A point has to be one of the scene's: other names panic.
 
 use nalgebra::{DVector, Vector2};
 
