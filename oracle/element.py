@@ -143,6 +143,42 @@ class Element:
         pairs = [(k, n) for k in range(3) for n in range(3) if self.D[k, n] != 0]
         return sum(eps[k] * eps[n] * (self.D[k, n] / 2) for k, n in pairs)
 
+    # Poisson's terms on the axis alone, beyond the paper: a cure of the thickness locking.
+
+    def own(self, tensor):
+        """A tensor in global axes as (11, 22, 2 12) in the rod's own: J_0 turns the latter into the former."""
+        R, (t, n) = self.J_0, PLANE
+        assert R.transpose() * R == fmpq_mat([[1, 0], [0, 1]])
+
+        def entry(a, b):
+            return sum(tensor[i][j] * (R[i, a] * R[j, b]) for i in PLANE for j in PLANE)
+
+        return [entry(t, t), entry(n, n), 2 * entry(t, n)]
+
+    @cached_property
+    def D_own(self):
+        """Stress from (11, 22, 2 12), which counts the shear twice."""
+        lam, mu = self.lam, self.mu
+        return fmpq_mat([[lam + 2 * mu, lam, 0], [lam, lam + 2 * mu, 0], [0, 0, mu]])
+
+    @cached_property
+    def D_0(self):
+        """The same where nothing contracts: E* = E/(1 - nu^2) in both directions."""
+        alone = self.state.E / (1 - self.state.nu**2)
+        return fmpq_mat([[alone, 0, 0], [0, alone, 0], [0, 0, self.mu]])
+
+    @cached_property
+    def energy_axis(self):
+        """1/2 int eps^T D_0 eps dV + 1/2 h w int eps(x, 0)^T (D - D_0) eps(x, 0) dx, for arbitrary e."""
+        eps = self.own(self.generic_strain)
+        on_axis = [component.subs({"y": 0}) for component in eps]
+
+        def density(eps, D):
+            return sum(eps[k] * eps[n] * (D[k, n] / 2) for k in range(3) for n in range(3))
+
+        # The integral of what is uniform over the section is h w times that along the axis.
+        return self.integral(density(eps, self.D_0) + density(on_axis, self.D_own - self.D_0))
+
     @cached_property
     def energy(self):
         """U for arbitrary e."""

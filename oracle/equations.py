@@ -16,8 +16,8 @@ CONVENTIONS = {
     "units": "SI. Where nodal coordinates mix positions and slopes, the unit for positions, then for slopes.",
     "e": "layout (4): r_i, r_y_i, r_j, r_x_j, r_y_j, r_k, r_y_k, two global components each; "
          "i at x = 0, j at l/2, k at l.",
-    "axes": "strains, stresses and S_a, S_b, S_c in global axes, as in (9)-(13). e0 is the straight initial "
-            "element, theta its inclination, in (-pi, pi].",
+    "axes": "strains, stresses and S_a, S_b, S_c in global axes, as in (9)-(13), but axis.epsilon in the rod's own. "
+            "e0 is the straight initial element, theta its inclination, in (-pi, pi].",
     "element": "0 <= x <= l, -h/2 <= y <= h/2, width w; points are [x, y].",
     "arrays": "matrices by rows; a quantity per point is a list with an entry for each point of the state.",
     "exact": "rational numbers as text, from exact inputs; cos_theta and sin_theta stand for theta.",
@@ -26,6 +26,11 @@ CONVENTIONS = {
              "zero for none.",
     "consistent": "derived from the energy density C_ijkl E_ij E_kl / 2 with "
                   "C_ijkl = lambda d_ij d_kl + mu (d_ik d_jl + d_il d_jk).",
+    "axis": "beyond the paper: axis.epsilon = (11, 22, 2 12) in the rod's own axes, x along e0 and y across it; "
+            "axis.U = 1/2 int epsilon^T D_0 epsilon dV + 1/2 h w int epsilon^T (D - D_0) epsilon dx at y = 0, "
+            "with D_0 = diag(E*, E*, mu), E* = E/(1 - nu^2), "
+            "D = [[lambda + 2 mu, lambda, 0], [lambda, lambda + 2 mu, 0], [0, 0, mu]]. At nu = 0 it and its "
+            "derivatives are those of 18.U; where the gradient is uniform over the element, axis.U and axis.Q_e are.",
     "printed": "as the paper prints it where it is wrong: E1 in A.3, E2 in 21.K_3, E3 in printed-shear, "
                "whose energy counts the shear strain once (2 mu for 4 mu); its K uses the consistent K_3.",
     "tags": "rest, rigid and stress-free have U = 0 and Q_e = 0 exactly; slender is l/h = 1000; the others "

@@ -204,4 +204,13 @@ QUANTITIES = {
     "tangent.dQ_e/printed-shear": Quantity("second derivative of the printed energy (E3)", SQUARE,
                                            NODAL_STIFFNESS, lambda el: el.tangent(el.energy_printed_shear),
                                            form="printed"),
+    "axis.D_0": Quantity("stress from (11, 22, 2 12) off the axis: diag(E*, E*, mu), E* = E/(1 - nu^2)", (3, 3),
+                         "Pa", lambda el: el.D_0.tolist()),
+    "axis.epsilon": point("strain less thermal strain (11, 22, 2 12) in the rod's own axes", (3,), "1",
+                          lambda at: at.of(at.element.own(at.element.strain(at.state.e)))),
+    "axis.U": Quantity("strain energy with Poisson's terms on the axis alone", (), "J",
+                       lambda el: el.at_state(el.energy_axis)),
+    "axis.Q_e": Quantity("its derivative", (DOF,), NODAL_FORCE, lambda el: el.force(el.energy_axis)),
+    "axis.tangent": Quantity("its second derivative", SQUARE, NODAL_STIFFNESS,
+                             lambda el: el.tangent(el.energy_axis)),
 }

@@ -18,8 +18,11 @@ def demand(state, values):
     balance = M * column(values["22.eddot"]) + column(values["19.Q_e"])
     assert balance == column(weight), "(22) must hold"
     for form in ("", "/printed-shear"):
-        names = ("18.U", "19.Q_e", "20.K", "tangent.dQ_e")
-        demand_of_force(state, e, *(values[name + form] for name in names))
+        names = ("18.U", "19.Q_e", "tangent.dQ_e")
+        demand_of_force(state, *(values[name + form] for name in names))
+        K = fmpq_mat(values["20.K" + form])
+        assert K == K.transpose() and K * e == column(values["19.Q_e" + form]), "K(e) e must be the force"
+    demand_of_axis(state, values)
     for k in range(len(state.points)):
         demand_at_point(state, lambda name, k=k: values[name][k])
     if "rest" in state.tags:
@@ -30,17 +33,38 @@ def demand(state, values):
         assert values["15.sigma"][0] == [axial * c * c, axial * s * s, axial * c * s]
 
 
-def demand_of_force(state, e, energy, force, K, tangent):
-    """Of either form of the energy."""
-    Q, K, tangent = column(force), fmpq_mat(K), fmpq_mat(tangent)
-    assert K * e == Q, "K(e) e must be the force"
-    assert K == K.transpose() and tangent == tangent.transpose()
+def demand_of_force(state, energy, force, tangent):
+    """Of any form of the energy."""
+    Q, tangent = column(force), fmpq_mat(tangent)
+    assert tangent == tangent.transpose()
     for i in range(2):
         assert force[i] + force[4 + i] + force[10 + i] == 0, "the force must have no resultant"
-    turned = [part for k in range(0, 14, 2) for part in (-state.e[k + 1], state.e[k])]
-    assert value(column(turned).transpose() * Q) == 0, "the force must have no moment"
+    turned = column(quarter_turn(state.e))
+    assert value(turned.transpose() * Q) == 0, "the force must have no moment"
     at_ease = {"rest", "rigid", "stress-free"} & set(state.tags)
     assert (energy == 0 and not any(force)) if at_ease else energy > 0
+
+
+def demand_of_axis(state, values):
+    """Of the energy with Poisson's terms on the axis, which turns with the frame as the consistent one does."""
+    names = ("U", "Q_e", "tangent")
+    axis, full = ([values[name] for name in form] for form in (
+        [f"axis.{name}" for name in names], ["18.U", "19.Q_e", "tangent.dQ_e"]))
+    demand_of_force(state, *axis)
+    turned, turned_force = (column(quarter_turn(vector)) for vector in (state.e, axis[1]))
+    assert fmpq_mat(axis[2]) * turned == turned_force, "a turn must turn the force"
+    if state.nu == 0:
+        assert axis == full, "without Poisson's ratio there is nothing to confine to the axis"
+    if {"rest", "rigid", "uniform", "stress-free", "blocked", "uniaxial"} & set(state.tags):
+        # The gradient is the same all over the element: energy and force cannot tell, the tangent can.
+        assert axis[:2] == full[:2] and (state.nu == 0 or axis[2] != full[2])
+    a = state.alpha * state.dT
+    heat = {"none": (0, 0), "1d": (a, 0), "2d": (a, a)}[state.model]
+    for k, eps in enumerate(values["axis.epsilon"]):
+        r_x, r_y = ([sum(S * q for S, q in zip(values[name][k], state.e[i::2])) for i in range(2)]
+                    for name in ("3.S_x", "3.S_y"))
+        metric = [sum(u * v for u, v in zip(*pair)) for pair in ((r_x, r_x), (r_y, r_y), (r_x, r_y))]
+        assert eps == [(metric[0] - 1) / 2 - heat[0], (metric[1] - 1) / 2 - heat[1], metric[2]]
 
 
 def demand_at_point(state, at):
@@ -73,6 +97,11 @@ def demand_breadth(states):
     free = {state.model for state in inclined if "stress-free" in state.tags}
     assert free == {"1d", "2d"}, "stress-free states in both models"
     assert all(1 + 2 * state.alpha * state.dT > 0 for state in states)
+
+
+def quarter_turn(vector):
+    """The rate of nodal coordinates that turn about the origin."""
+    return [part for k in range(0, 14, 2) for part in (-vector[k + 1], vector[k])]
 
 
 def column(vector):

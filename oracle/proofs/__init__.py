@@ -7,6 +7,7 @@ from .constraint import printed_constraint_force_has_no_meaning
 from .energy import (
     five_by_three_points_are_exact,
     force_and_tangent_are_differences,
+    poisson_on_the_axis_frees_the_thickness,
     printed_K_3_loads_an_undeformed_element,
     printed_shear_depends_on_the_frame,
     printed_shear_softens_an_inclined_rod,
@@ -29,5 +30,6 @@ PROOFS = (
     printed_shear_softens_an_inclined_rod,
     five_by_three_points_are_exact,
     force_and_tangent_are_differences,
+    poisson_on_the_axis_frees_the_thickness,
     printed_constraint_force_has_no_meaning,
 )
