@@ -17,21 +17,22 @@ GAUSS_POINTS = (5, 3)
 HEATED_DIRECTIONS = {"none": (0, 0), "1d": (1, 0), "2d": (1, 1)}
 
 
-def stress_and_energy(nu):
+def stress_and_energy(nu, shear=1):
     """First Piola-Kirchhoff stress dW/dJ, energy density W and dW/dC_T, all over mu, as functions.
 
     W = 1/2 C_ijkl E_ij E_kl with C_ijkl = lambda d_ij d_kl + mu (d_ik d_jl + d_il d_jk) contracts to
     lambda/2 (tr E)^2 + mu E:E. E = (J^T J - I)/2 - E_T is (J^T J - C_T)/2 with C_T = I + 2 E_T, the square of
-    the stress-free stretch, diagonal here. Arguments: J11, J12, J21, J22, then C_T along and across; and nu
-    at the end where the name "nu" is given in place of a number.
+    the stress-free stretch, diagonal here. `shear` multiplies the part of E_12, which the paper does not do.
+    Arguments: J11, J12, J21, J22, then C_T along and across; and at the end nu, or shear, where a name is given
+    in place of a number.
     """
     J = sympy.Matrix(2, 2, sympy.symbols("J11 J12 J21 J22"))
     C_T = sympy.symbols("C_along C_across")
-    nu = sympy.sympify(str(nu), rational=True)
+    nu, shear = (sympy.sympify(str(number), rational=True) for number in (nu, shear))
     E = (J.T * J - sympy.diag(*C_T)) / 2
-    W = nu / (1 - 2 * nu) * E.trace() ** 2 + sum(entry**2 for entry in E)
+    W = nu / (1 - 2 * nu) * E.trace() ** 2 + E[0, 0] ** 2 + E[1, 1] ** 2 + 2 * shear * E[0, 1] ** 2
     stress, heating = ([sympy.factor_terms(W.diff(entry)) for entry in entries] for entries in (J, C_T))
-    arguments = (*J, *C_T, *nu.free_symbols)
+    arguments = (*J, *C_T, *nu.free_symbols, *shear.free_symbols)
     return tuple(sympy.lambdify(arguments, result, "numpy", cse=True) for result in (stress, W, heating))
 
 

@@ -1,0 +1,57 @@
+"""A rod of Euler-Bernoulli cable elements in floating point: mass, weight, strains and their energies.
+
+The element is that of `cable.element`: its shape functions, strains and Gauss rules, here end to end.
+"""
+
+import numpy as np
+import sympy
+
+from .cable.element import AXIAL_POINTS, BENDING_POINTS, C, EPSILON, G, HEAT, KAPPA, shape_functions
+from .fixture import from_sympy, nearest
+
+
+def energy_and_stress(strain):
+    """strain^2/2 and its derivatives by g = r_x and c = r_xx, as functions of g, c and the thermal strain."""
+    density, variables = strain**2 / 2, [v for v in G + C if strain.has(v)]
+    stress = [sympy.factor_terms(density.diff(v)) for v in variables]
+    arguments = (*variables, HEAT) if strain.has(HEAT) else variables
+    return tuple(sympy.lambdify(arguments, result, "numpy", cse=True) for result in (density, stress))
+
+
+class Axis:
+    """A rod of n elements of equal length, for one component of its nodal vectors r, r_x.
+
+    `mass` is its mass matrix, `weight` the integral of rho A S. `stretching` and `bending` hold S_x, and S_x
+    and S_xx, at the Gauss points of the two energies, which stand for the `stretched` and `bent` lengths.
+    Sizes are rational numbers of sympy.
+    """
+
+    def __init__(self, elements, L, h, w, rho):
+        length, density = from_sympy(L) / elements, from_sympy(rho * h * w)
+        shapes = shape_functions(length)
+        slopes = [S.derivative() for S in shapes]
+        bends = [S.derivative() for S in slopes]
+
+        def integral(polynomial):
+            return nearest(density * polynomial.integral()(length))
+
+        vectors = 2 * elements + 2  # neighbours share r and r_x at their common node
+        self.mass, self.weight = np.zeros((vectors, vectors)), np.zeros(vectors)
+        for k in range(elements):
+            own = slice(2 * k, 2 * k + 4)
+            self.mass[own, own] += [[integral(a * b) for b in shapes] for a in shapes]
+            self.weight[own] += [integral(S) for S in shapes]
+
+        def end_to_end(families, points):
+            """Derivatives of S at the Gauss points of all elements, and the lengths that these stand for."""
+            places, weights = np.polynomial.legendre.leggauss(points)
+            places, lengths = nearest(length) / 2 * (1 + places), nearest(length) / 2 * weights
+            rows = np.zeros((len(families), elements, points, vectors))
+            for k in range(elements):
+                for row, family in zip(rows, families):
+                    for column, S in enumerate(family, 2 * k):
+                        row[k, :, column] = np.polyval([nearest(c) for c in reversed(S.coeffs())], places)
+            return rows.reshape(len(families), elements * points, vectors), np.tile(lengths, elements)
+
+        self.stretching, self.stretched = end_to_end([slopes], AXIAL_POINTS)
+        self.bending, self.bent = end_to_end([slopes, bends], BENDING_POINTS)
