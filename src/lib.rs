@@ -23,14 +23,15 @@
 //! e = \[rⁱ r_yⁱ rʲ r_xʲ r_yʲ rᵏ r_yᵏ\], (4).
 //!
 //! **Checking another implementation.** `fixtures/equations.json` has 32 element states and the exact value of every quantity of
-//! [`equations::CONTENTS`] for each; [`state::ElementState`] reads a state, [`state::evaluate`] gives our value.
-//! `fixtures/pendulum.json` has the pendulum's motion; `fixtures/structure.json` the terms of (23) for pinned rods, and their
-//! motion.
+//! [`equations::CONTENTS`] for each; [`state::ElementState`] reads a state, [`state::evaluate`] gives our value. `fixtures/cable.json`
+//! has 26 of the [`cable`](equations::cable) element, for [`state::CableState`] and [`state::evaluate_cable`].
+//! `fixtures/pendulum.json` has the pendulum's motion, `fixtures/continuum.json` that of a plane solid; `fixtures/structure.json`
+//! the terms of (23) for pinned rods, and their motion; `fixtures/references.json` solutions of statics and vibration.
 //!
 //! **Structures.** [`structure`] assembles rods that are pinned at their ends and middles; [`integrators`] move it and
 //! [`statics`] loads it, as it should be computed (pins as shared coordinates) or as (23) has it (with multipliers).
 //!
-//! **Units and signs.** SI throughout. Strains are Green–Lagrange, stresses second Piola–Kirchhoff, both in global axes
+//! **Units and signs.** SI throughout. The paper's strains are Green–Lagrange, its stresses second Piola–Kirchhoff, both in global axes
 //! in [`equations`]; tension is positive. Q_e is ∂U/∂e, the force *on the left* of M ë + Q_e = Q_w, (22),
 //! as Φ_qᵀ λ is in (23). A reaction is the force of a support *on the structure*; a deflection is positive to the left of
 //! from → to.

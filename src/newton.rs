@@ -73,7 +73,7 @@ pub fn solve(
         counts.force_calls += 1;
         let size = structure.largest(&value);
         let finite = size.is_finite() && largest_term.is_finite();
-        let at_rounding = || iterations > 0 && structure.within_rounding(&value, &(step.u_0 + &*du), ROUNDINGS);
+        let at_rounding = || iterations > 0 && structure.within_rounding(&value, &(step.u_0 + &*du), time, ROUNDINGS);
         if finite && (size <= tolerance * largest_term || at_rounding()) {
             return Ok(());
         }

@@ -8,7 +8,7 @@ use crate::counts::Counts;
 use crate::error::{Error, Result};
 use crate::integrators::{self, State};
 use crate::linear::BorderedLu;
-use crate::scene::{Method, Probe, Quantity, Scene, Start};
+use crate::scene::{Element, Method, Poisson, Probe, Quantity, Rod, Scene, Start};
 use crate::structure::{Instant as Now, StepEnds, Structure};
 
 /// A table over time.
@@ -94,6 +94,25 @@ const STEPS_PER_CROSSING: f64 = 20.0;
 
 /// Doubts that the scene itself raises.
 fn warnings(scene: &Scene) -> Vec<String> {
+    shock_warning(scene).into_iter().chain(locking_warning(scene)).collect()
+}
+
+/// Rods of the paper's element with ν ≠ 0 are too stiff in bending, whatever the mesh.
+fn locking_warning(scene: &Scene) -> Option<String> {
+    let locks =
+        |rod: &&Rod| rod.element == Element::Ancf && rod.poisson == Poisson::Full && scene.material(rod).nu != 0.0;
+    let rod = scene.rods.iter().find(locks)?;
+    let nu = scene.material(rod).nu;
+    let share = 100.0 * (1.0 - 2.0 * nu) / (1.0 - nu).powi(2);
+    Some(format!(
+        "with nu = {nu} the paper's element locks: a slender rod bends {share:.1} % of what it should (rod `{}`); \
+         \"poisson\": \"axis\" cures it",
+        rod.name
+    ))
+}
+
+/// Implicit steps that do not resolve the wave of a heat shock.
+fn shock_warning(scene: &Scene) -> Option<String> {
     let crossing = Structure::wave_crossing_time(scene);
     let shock = scene.rods.iter().any(|rod| {
         scene.heat(rod).is_some_and(|heat| {
@@ -107,13 +126,13 @@ fn warnings(scene: &Scene) -> Vec<String> {
     // The explicit method's own stability limit is short enough.
     let implicit = matches!(scene.time.method, Method::GeneralizedAlpha | Method::EnergyMomentum);
     if shock && implicit && step * STEPS_PER_CROSSING > crossing {
-        return vec![format!(
+        return Some(format!(
             "sudden heat starts an axial wave that crosses an element in {crossing:.1e} s, which the step of {step:e} s \
              does not resolve: positions may be off by millimetres and more, which no energy balance shows; \
              compare with a smaller step, or use \"explicit\""
-        )];
+        ));
     }
-    Vec::new()
+    None
 }
 
 /// Writes rows.

@@ -27,7 +27,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 pub use builtin::{builtin_names, builtin_text};
-pub use choice::{Constraints, Direction, Method, Quantity, Schema, Start, ThermalModel};
+pub use choice::{Constraints, Direction, Element, Method, Poisson, Quantity, Schema, Start, ThermalModel};
 pub use scissors::Scissors;
 
 /// One scene: the whole content of a scene file.
@@ -119,6 +119,12 @@ pub struct Rod {
     /// Number of elements, all of one length.
     #[serde(default = "default_elements")]
     pub elements: usize,
+    /// Which element it is made of.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub element: Element,
+    /// Where Poisson's terms act in the paper's element.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub poisson: Poisson,
     /// Name of the point at its middle, a node for even and odd numbers of elements; rods with one pivot are pinned there.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub pivot: Option<String>,
@@ -137,6 +143,10 @@ fn default_elements() -> usize {
     8
 }
 
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
 /// A point held in place, at least in part: `fix`, or `slide`, and with either or without a `clamp`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -149,7 +159,8 @@ pub struct Support {
     /// The only direction in which it can move, of any length.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub slide: Option<[f64; 2]>,
-    /// Name of a rod whose section keeps its direction there: r_y · t₀ = 0 with the rod's initial direction t₀.
+    /// Name of a rod whose section keeps its direction there: r_y · t₀ = 0 with the rod's initial direction t₀, or r_x · n₀ = 0
+    /// with the one across it where the element has no r_y.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub clamp: Option<String>,
 }

@@ -1,4 +1,4 @@
-//! One element in one state, or the terms of (23) for a structure, and the value of every equation for it.
+//! One element in one state, a [`cable`] element too, or the terms of (23) for a structure, and the value of every equation for it.
 //!
 //! The JSON shape of an element state is a contract: fixtures and other programs use it too.
 
@@ -6,10 +6,14 @@
 
 use crate::equations::force::{Element, Matrix14};
 use crate::equations::shape::Vector14;
-use crate::equations::{force, inertia, material, motion, shape, strain};
+use crate::equations::{axis, force, inertia, material, motion, shape, strain};
 pub use crate::scene::ThermalModel;
 use nalgebra::{DMatrix, DVector, Dim, Matrix, RawStorage, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
+
+pub mod cable;
+
+pub use cable::{CableState, evaluate_cable};
 
 /// An element state: geometry, motion, material, temperature and the points to look at. SI units.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,6 +62,14 @@ impl ElementState {
         }
     }
 
+    /// The same in the rod's own axes.
+    pub fn eps_T_own(&self) -> Vector3<f64> {
+        match self.model {
+            ThermalModel::OneD => strain::eps_T_1d(self.alpha, self.dT, 0.0),
+            ThermalModel::TwoD | ThermalModel::None => self.eps_T(),
+        }
+    }
+
     /// The element in its initial configuration.
     pub fn element(&self) -> Element {
         Element { l: self.l, h: self.h, w: self.w, e_0: Vector14::from(self.e0) }
@@ -76,6 +88,7 @@ pub fn evaluate(quantity: &str, state: &ElementState) -> Option<Vec<f64>> {
     let &ElementState { l, theta, E, nu, rho, .. } = state;
     let (e, e_dot, element, eps_T) =
         (Vector14::from(state.e), Vector14::from(state.edot), state.element(), state.eps_T());
+    let eps_T_own = state.eps_T_own();
     let (lambda, mu) = (material::lambda(E, nu), material::mu(E, nu));
     let nodes = shape::nodes(&e);
 
@@ -156,6 +169,11 @@ pub fn evaluate(quantity: &str, state: &ElementState) -> Option<Vec<f64>> {
         "tangent.dQ_e" => Some(rows(&force::tangent(&e, &eps_T, lambda, mu, &element))),
         "tangent.dQ_e/printed-shear" => Some(rows(&force::tangent_printed(&e, &eps_T, lambda, mu, &element))),
         "gravity.Q_w" => Some(rows(&Q_w())),
+        "axis.D_0" => Some(rows(&axis::D_0(E, nu))),
+        "axis.epsilon" => at_points(&|x, y| rows(&axis::epsilon(x, y, &e, &eps_T_own, l))),
+        "axis.U" => Some(vec![axis::U(&e, &eps_T_own, E, nu, &element)]),
+        "axis.Q_e" => Some(rows(&axis::Q_e(&e, &eps_T_own, E, nu, &element))),
+        "axis.tangent" => Some(rows(&axis::tangent(&e, &eps_T_own, E, nu, &element))),
         "A.1.r" => at_points(&|x, y| rows(&shape::r_polynomial(x, y, &shape::coefficients(&nodes, l)))),
         "A.1.r_x" => at_points(&|x, y| rows(&shape::r_polynomial_x(x, y, &shape::coefficients(&nodes, l)))),
         "A.1.r_y" => at_points(&|x, y| rows(&shape::r_polynomial_y(x, y, &shape::coefficients(&nodes, l)))),

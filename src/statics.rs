@@ -1,9 +1,8 @@
 //! Equilibrium Q_e(u, s ΔT) = s f as the load factor s grows from 0 to 1.
 //!
 //! Newton's iteration with independent stresses (Magisano, Leonetti and Garcea 2017,
-//! [`Kernel::mixed_tangent`](crate::kernel::Kernel::mixed_tangent)): slender rods in large bending, where plain Newton
+//! [`Beam::mixed_tangent`](crate::kernel::Beam::mixed_tangent)): slender rods in large bending, where plain Newton
 //! creeps along in steps that stretch the axis too little to matter, take it no longer than stubby ones.
-
 //!
 //! What is found is an equilibrium, not always a stable one: a perfect column stays straight above its Euler load.
 

@@ -14,6 +14,7 @@
 mod build;
 mod constraints;
 mod frequency;
+mod mesh;
 mod mobility;
 mod numbering;
 mod probes;
@@ -25,9 +26,8 @@ use std::sync::Arc;
 
 use nalgebra::{DVector, Vector2};
 
-use self::rod::{Components, Rod};
-use crate::equations::force::Matrix14;
-use crate::equations::shape::Vector14;
+use self::mesh::{Components, ElementMatrix};
+use self::rod::Rod;
 use crate::kernel::{Ends, ThermalStrain};
 use crate::linear::{Bordered, BorderedLu, Filling, Layout, SingularAt};
 use crate::scene::Force;
@@ -52,12 +52,12 @@ struct Point {
     nodes: Vec<Node>,
 }
 
-/// A rod's node at a point: places of its position and of its r_y in the rod's chain.
+/// A rod's node at a point: places in the rod's chain of its position and of the slope that turns with the section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Node {
     rod: usize,
     position: usize,
-    director: usize,
+    slope: usize,
 }
 
 /// A row of Φ(q) = 0: Σ weight · displacement, the multiplier that keeps it, and whose unknowns it holds.
@@ -109,17 +109,13 @@ impl Structure {
 
     /// Mass matrix of the unknowns.
     pub fn mass(&self) -> Bordered {
-        self.assemble_matrix(|_, rod, _| rod.mass)
+        self.assemble_matrix(|_| ElementMatrix::Mass)
     }
 
     /// Its product with an acceleration (or a velocity), without the matrix.
     pub fn inertia(&self, a: &DVector<f64>) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
-        for rod in &self.rods {
-            for element in 0..rod.elements {
-                rod.scatter(element, &(rod.mass * rod.gather(element, a)), &mut sum);
-            }
-        }
+        self.rods.iter().for_each(|rod| rod.mesh.add_inertia(&rod.chain, a, &mut sum));
         sum
     }
 
@@ -161,18 +157,19 @@ impl Structure {
         entries.fold(0.0, |largest, value| if value > largest || value.is_nan() { value } else { largest })
     }
 
-    /// Whether no entry of a residual at `u` is above `times` the rounding error of the elastic forces.
+    /// Whether no entry of a residual at `u` and time `t` is above `times` the rounding error of the elastic forces.
     ///
-    /// A strain is made of differences of u over an element's length l and of slopes: it carries ε_mach times the larger
-    /// of |u|/l and |slope|, and a force that strain's share of the force of a unit strain.
-    pub fn within_rounding(&self, residual: &DVector<f64>, u: &DVector<f64>, times: f64) -> bool {
+    /// A strain is made of differences of u over an element's length l, of slopes and of the thermal strain: it carries
+    /// ε_mach times the largest of |u|/l, |slope| and |ε_T|, and a force that strain's share of the force of a unit strain.
+    pub fn within_rounding(&self, residual: &DVector<f64>, u: &DVector<f64>, t: f64, times: f64) -> bool {
         let size = |(u, kind): (&f64, &Kind)| match kind {
             Kind::Position => u.abs() / self.shortest,
             Kind::Slope(_) => u.abs(),
             // During an iteration λ stands in its place: newtons, no strain.
             Kind::Multiplier => 0.0,
         };
-        let size = u.iter().zip(&self.kinds).map(size).fold(0.0, f64::max);
+        let heat = self.thermal_strains(t).into_iter().flatten().map(f64::abs).fold(0.0, f64::max);
+        let size = u.iter().zip(&self.kinds).map(size).fold(heat, f64::max);
         let floor = times * f64::EPSILON * size;
         let mut entries = residual.iter().zip(&self.unit_forces).zip(&self.kinds);
         entries.all(|((value, unit), kind)| *kind == Kind::Multiplier || value.abs() <= floor * unit)
@@ -181,23 +178,21 @@ impl Structure {
     /// Rounding error of an energy, J: ε_mach times the strain energy of a strain of 1.
     pub fn energy_rounding(&self) -> f64 {
         let positions = self.unit_forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
-        let length: f64 = self.rods.iter().map(|rod| rod.elements as f64 * rod.element.l).sum();
+        let length: f64 = self.rods.iter().map(|rod| rod.elements as f64 * rod.along.norm()).sum();
         f64::EPSILON * length * positions.map(|(force, _)| *force).fold(0.0, f64::max)
     }
 
     /// Elastic forces into `sum`, at the rods' thermal strains.
     pub fn force(&self, u: &DVector<f64>, thermal: &[ThermalStrain], sum: &mut DVector<f64>) {
         sum.fill(0.0);
-        for (rod, thermal) in self.rods.iter().zip(thermal) {
-            for element in 0..rod.elements {
-                rod.scatter(element, &rod.kernel.force(&rod.gather(element, u), *thermal), sum);
-            }
+        for (rod, eps_t) in self.rods.iter().zip(thermal) {
+            rod.mesh.add_force(&rod.chain, u, *eps_t, sum);
         }
     }
 
     /// Tangent ∂Q/∂u.
     pub fn tangent(&self, u: &DVector<f64>, thermal: &[ThermalStrain]) -> Bordered {
-        self.assemble_matrix(|n, rod, element| rod.kernel.tangent(&rod.gather(element, u), thermal[n]))
+        self.assemble_matrix(|n| ElementMatrix::Tangent { u, eps_t: thermal[n], stiffness: 1.0, mass: 0.0 })
     }
 
     /// LU factors of `stiffness` · (tangent, with the constraints' forces where there are multipliers) + `mass` · M. `old` ones
@@ -212,14 +207,11 @@ impl Structure {
         [stiffness, mass]: [f64; 2],
         old: Option<BorderedLu>,
     ) -> Result<BorderedLu, SingularAt> {
-        let element = |n: usize, rod: &Rod, element: usize| {
-            stiffness * rod.kernel.tangent(&rod.gather(element, u), thermal[n]) + mass * rod.mass
-        };
-        self.factors(element, stiffness, old)
+        self.factors(|n| ElementMatrix::Tangent { u, eps_t: thermal[n], stiffness, mass }, stiffness, old)
     }
 
     /// LU factors of the tangent for Newton's iteration with independent stresses: those that the iteration expected when it
-    /// went from `before` to `u` ([`Kernel::mixed_tangent`](crate::kernel::Kernel::mixed_tangent)).
+    /// went from `before` to `u` ([`Beam::mixed_tangent`](crate::kernel::Beam::mixed_tangent)).
     ///
     /// # Errors
     /// Those of [`tangent_factors`](Structure::tangent_factors).
@@ -230,10 +222,7 @@ impl Structure {
         thermal: &[ThermalStrain],
         old: Option<BorderedLu>,
     ) -> Result<BorderedLu, SingularAt> {
-        let element = |n: usize, rod: &Rod, element: usize| {
-            rod.kernel.mixed_tangent(&rod.gather(element, before), &rod.gather(element, u), thermal[n])
-        };
-        self.factors(element, 1.0, old)
+        self.factors(|n| ElementMatrix::Mixed { before, u, eps_t: thermal[n] }, 1.0, old)
     }
 
     /// LU factors of the derivative of [`mean_force`](Structure::mean_force) with respect to `u_1`, + `mass` · M.
@@ -246,10 +235,7 @@ impl Structure {
         mass: f64,
         old: Option<BorderedLu>,
     ) -> Result<BorderedLu, SingularAt> {
-        let element = |n: usize, rod: &Rod, element: usize| {
-            rod.over(step, n, element, |ends| rod.kernel.mean_tangent(&ends)) + mass * rod.mass
-        };
-        self.factors(element, 1.0, old)
+        self.factors(|n| ElementMatrix::Mean { ends: of_rod(step, n), mass }, 1.0, old)
     }
 
     /// LU factors of the mass matrix, with the constraints where there are multipliers.
@@ -257,52 +243,41 @@ impl Structure {
     /// # Errors
     /// Those of [`tangent_factors`](Structure::tangent_factors).
     pub fn mass_factors(&self) -> Result<BorderedLu, SingularAt> {
-        self.factors(|_, rod, _| rod.mass, 1.0, None)
+        self.factors(|_| ElementMatrix::Mass, 1.0, None)
     }
 
-    /// LU factors of a matrix by its elements; `constraint` is the factor of Φ_qᵀ beside it.
-    fn factors(
+    /// LU factors of a matrix, asked for by the number of a rod; `constraint` is the factor of Φ_qᵀ beside it.
+    fn factors<'a>(
         &self,
-        element: impl Fn(usize, &Rod, usize) -> Matrix14,
+        matrix: impl Fn(usize) -> ElementMatrix<'a>,
         constraint: f64,
         old: Option<BorderedLu>,
     ) -> Result<BorderedLu, SingularAt> {
         if self.rows.is_empty() {
-            return Bordered::lu_block_by_block(&self.layout, old, |n, block| self.fill(n, block, &element));
+            return Bordered::lu_block_by_block(&self.layout, old, |n, block| self.fill(n, &matrix(n), block));
         }
         // Where coordinates stand beside multipliers, rows and columns of all blocks have to be scaled first.
-        let mut matrix = self.assemble_matrix(element);
+        let mut matrix = self.assemble_matrix(matrix);
         self.add_constraints(constraint, &mut matrix);
         matrix.equilibrated_lu()
     }
 
     /// Adds the matrices of a rod's elements to its block.
-    fn fill(&self, n: usize, block: &mut Filling, matrix: impl Fn(usize, &Rod, usize) -> Matrix14) {
-        let rod = &self.rods[n];
-        for element in 0..rod.elements {
-            let vectors = rod.vectors(element);
-            let unknowns: [Option<usize>; 14] = std::array::from_fn(|i| vectors[i / 2].unknowns[i % 2]);
-            block.add_dense(unknowns, &rod.turned(element, matrix(n, rod, element)));
-        }
+    fn fill(&self, n: usize, matrix: &ElementMatrix, block: &mut Filling) {
+        self.rods[n].mesh.add_matrix(&self.rods[n].chain, matrix, block);
     }
 
     /// Step-averaged elastic forces of the energy–momentum rule into `sum`.
     pub fn mean_force(&self, step: &StepEnds, sum: &mut DVector<f64>) {
         sum.fill(0.0);
         for (n, rod) in self.rods.iter().enumerate() {
-            for element in 0..rod.elements {
-                let force = rod.over(step, n, element, |ends| rod.kernel.mean_force(&ends));
-                rod.scatter(element, &force, sum);
-            }
+            rod.mesh.add_mean_force(&rod.chain, &of_rod(step, n), sum);
         }
     }
 
     /// Strain energy, J.
     pub fn strain_energy(&self, u: &DVector<f64>, thermal: &[ThermalStrain]) -> f64 {
-        let energy = |(rod, thermal): (&Rod, &ThermalStrain)| -> f64 {
-            (0..rod.elements).map(|element| rod.kernel.energy(&rod.gather(element, u), *thermal)).sum()
-        };
-        self.rods.iter().zip(thermal).map(energy).sum()
+        self.rods.iter().zip(thermal).map(|(rod, eps_t)| rod.mesh.energy(&rod.chain, u, *eps_t)).sum()
     }
 
     /// Kinetic energy of velocities `v`, J.
@@ -312,10 +287,7 @@ impl Structure {
 
     /// Energy that heating puts in over a step, J.
     pub fn heating_work(&self, step: &StepEnds) -> f64 {
-        let work = |(n, rod): (usize, &Rod)| -> f64 {
-            (0..rod.elements).map(|element| rod.over(step, n, element, |ends| rod.kernel.heating_work(&ends))).sum()
-        };
-        self.rods.iter().enumerate().map(work).sum()
+        self.rods.iter().enumerate().map(|(n, rod)| rod.mesh.heating_work(&rod.chain, &of_rod(step, n))).sum()
     }
 
     /// Where an unknown is, in words.
@@ -336,20 +308,17 @@ impl Structure {
         }
     }
 
-    fn assemble_vector(&self, f: impl Fn(&Rod) -> Vector14) -> DVector<f64> {
-        let mut sum = DVector::zeros(self.size());
-        for rod in &self.rods {
-            (0..rod.elements).for_each(|element| rod.scatter(element, &f(rod), &mut sum));
-        }
-        sum
-    }
-
-    /// Sum of the elements' matrices, as `f` gives them for the number of a rod, the rod and an element's number.
-    fn assemble_matrix(&self, f: impl Fn(usize, &Rod, usize) -> Matrix14) -> Bordered {
+    /// Sum of the elements' matrices, asked for by the number of a rod.
+    fn assemble_matrix<'a>(&self, matrix: impl Fn(usize) -> ElementMatrix<'a>) -> Bordered {
         let mut sum = Bordered::zeros(&self.layout);
         for n in 0..self.rods.len() {
-            self.fill(n, &mut sum.block(n), &f);
+            self.fill(n, &matrix(n), &mut sum.block(n));
         }
         sum
     }
+}
+
+/// A step with the thermal strains of one rod.
+fn of_rod<'a>(step: &StepEnds<'a>, rod: usize) -> Ends<'a, DVector<f64>> {
+    Ends { u_0: step.u_0, u_1: step.u_1, thermal_0: step.thermal_0[rod], thermal_1: step.thermal_1[rod] }
 }

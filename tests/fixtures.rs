@@ -7,21 +7,38 @@ mod common;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use ancf::equations::CONTENTS;
-use ancf::state::{evaluate, evaluate_system};
+use ancf::equations::{CONTENTS, Entry};
+use ancf::state::{evaluate, evaluate_cable, evaluate_system};
+use common::cable::{self, cables};
 use common::scale::scale;
 use common::system::{Terms, systems};
-use common::{Equations, TOLERANCE, within, worst_ratio};
+use common::{Case, Equations, TOLERANCE, cases, within, worst_ratio};
 
 static EQUATIONS: LazyLock<Equations> = LazyLock::new(Equations::load);
 
 #[test]
 fn every_equation_meets_the_oracle_in_every_state() {
-    let equations = &*EQUATIONS;
+    let entries = CONTENTS.iter().filter(|entry| !entry.is_of_a_structure() && !entry.is_of_a_cable());
+    meet_the_oracle(entries.collect(), EQUATIONS.cases(), evaluate, scale);
+}
+
+#[test]
+fn the_cable_meets_the_oracle_in_every_state() {
+    let entries = CONTENTS.iter().filter(|entry| entry.is_of_a_cable());
+    meet_the_oracle(entries.collect(), cases(&cables(), 20), evaluate_cable, cable::scale);
+}
+
+/// Every entry's value in every case.
+fn meet_the_oracle<S>(
+    entries: Vec<&Entry>,
+    cases: Vec<Case<S>>,
+    evaluate: fn(&str, &S) -> Option<Vec<f64>>,
+    scale: fn(&str, &Case<S>) -> Vec<f64>,
+) {
     // The last states are the random ones, where a mistake shows first.
-    for case in equations.cases().into_iter().rev() {
+    for case in cases.into_iter().rev() {
         let mut failures = Vec::new();
-        for entry in CONTENTS.iter().filter(|entry| !entry.is_of_a_structure()) {
+        for entry in &entries {
             let actual = evaluate(entry.quantity, &case.state).unwrap_or_else(|| panic!("no {}", entry.quantity));
             let (expected, scale) = (case.value(entry.reference), scale(entry.reference, &case));
             if !within(TOLERANCE, &actual, &expected, &scale) {
@@ -72,8 +89,8 @@ fn every_numbered_equation_has_a_function_and_a_fixture() {
     let used: BTreeSet<&str> = CONTENTS.iter().map(|entry| entry.reference).collect();
     // Terms of (23), which the structure assembles; a test of its own compares them.
     let assembled = ["23.m", "23.Q_e", "23.f", "23.Phi", "23.Phi_q"];
-    let structure = systems();
-    let quantities = [&equations.json, &structure].map(|json| json["quantities"].as_object().unwrap());
+    let (structure, cable) = (systems(), cables());
+    let quantities = [&equations.json, &structure, &cable].map(|json| json["quantities"].as_object().unwrap());
     for quantity in quantities.iter().flat_map(|table| table.keys()).filter(|name| !assembled.contains(&name.as_str()))
     {
         assert!(used.contains(quantity.as_str()), "the fixture's {quantity} is tested by nothing");
@@ -83,11 +100,11 @@ fn every_numbered_equation_has_a_function_and_a_fixture() {
 #[test]
 fn the_contents_and_the_source_name_the_same_functions() {
     let mut in_source = BTreeSet::new();
-    for module in ["shape", "inertia", "strain", "material", "force", "motion"] {
+    for module in ["shape", "inertia", "strain", "material", "force", "motion", "axis", "cable"] {
         let path = format!("{}/src/equations/{module}.rs", env!("CARGO_MANIFEST_DIR"));
         for line in std::fs::read_to_string(path).unwrap().lines() {
             if let Some(rest) = line.strip_prefix("pub fn ") {
-                in_source.insert(format!("{module}::{}", rest.split('(').next().unwrap()));
+                in_source.insert(format!("{module}::{}", rest.split(['(', '<']).next().unwrap()));
             }
         }
     }

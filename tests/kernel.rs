@@ -7,13 +7,14 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::equations::force;
 use ancf::equations::shape::Vector14;
-use ancf::kernel::{Ends, Kernel};
+use ancf::equations::{axis, force};
+use ancf::kernel::{Ancf, Beam, Ends, Law};
+use ancf::scene::Poisson;
 use ancf::state::ThermalModel;
 use common::scale::scale;
 use common::{Equations, TOLERANCE, within, worst_ratio};
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, Vector3};
 use proptest::prelude::*;
 use states::{Sizes, State, assert_within, axes, cases, five_point, rows, states, turned, uniform, unit};
 
@@ -24,7 +25,9 @@ fn the_kernel_meets_the_oracle() {
     let mut failures = Vec::new();
     for case in Equations::load().cases() {
         let s = &case.state;
-        let kernel = Kernel::new(s.l, s.h, s.w, s.theta, case.scalar("17.lambda"), case.scalar("17.mu"));
+        let (lambda, mu) = (case.scalar("17.lambda"), case.scalar("17.mu"));
+        let [kernel, axis] = [Poisson::Full, Poisson::Axis]
+            .map(|poisson| Ancf::new(s.l, s.h, s.w, s.theta, Law { lambda, mu, poisson }));
         let heat = s.alpha * s.dT;
         let eps_T = match s.model {
             ThermalModel::TwoD => [heat, heat],
@@ -36,6 +39,9 @@ fn the_kernel_meets_the_oracle() {
             ("18.U", vec![kernel.energy(&u, eps_T)]),
             ("19.Q_e", kernel.force(&u, eps_T).as_slice().to_vec()),
             ("tangent.dQ_e", rows(&kernel.tangent(&u, eps_T))),
+            ("axis.U", vec![axis.energy(&u, eps_T)]),
+            ("axis.Q_e", axis.force(&u, eps_T).as_slice().to_vec()),
+            ("axis.tangent", rows(&axis.tangent(&u, eps_T))),
         ] {
             let (expected, scale) = (case.value(quantity), scale(quantity, &case));
             if !within(TOLERANCE, &actual, &expected, &scale) {
@@ -47,8 +53,12 @@ fn the_kernel_meets_the_oracle() {
     assert!(failures.is_empty(), "{} values miss the oracle:\n{}", failures.len(), failures.join("\n"));
 }
 
-fn kernel(s: &State) -> Kernel {
-    Kernel::new(s.l, s.h, s.w, s.theta, s.lambda(), s.mu())
+fn kernel(s: &State) -> Ancf {
+    kernel_with(s, Poisson::Full)
+}
+
+fn kernel_with(s: &State, poisson: Poisson) -> Ancf {
+    Ancf::new(s.l, s.h, s.w, s.theta, Law { lambda: s.lambda(), mu: s.mu(), poisson })
 }
 
 /// A step with another displacement and another temperature at its end.
@@ -81,6 +91,18 @@ proptest! {
         assert_within("∂Q_e/∂e", &rows(&kernel.tangent(&u, eps_T)), &rows(&tangent), &sizes.tangent());
     }
 
+    #[test]
+    fn so_it_is_with_poisson_on_the_axis(s in states()) {
+        let (kernel, u, eps_T, e) = (kernel_with(&s, Poisson::Axis), s.e(0) - s.element().e_0, s.eps_T_own(0), s.e(0));
+        let (heat, element, sizes) = (Vector3::new(eps_T[0], eps_T[1], 0.0), s.element(), s.sizes(&e));
+        // E* is no larger than λ + 2μ, so the terms are of the same sizes.
+        assert_within("U", &[kernel.energy(&u, eps_T)], &[axis::U(&e, &heat, s.E, s.nu, &element)], &[sizes.energy()]);
+        let Q = axis::Q_e(&e, &heat, s.E, s.nu, &element);
+        assert_within("Q_e", kernel.force(&u, eps_T).as_slice(), Q.as_slice(), &sizes.force());
+        let tangent = axis::tangent(&e, &heat, s.E, s.nu, &element);
+        assert_within("∂Q_e/∂e", &rows(&kernel.tangent(&u, eps_T)), &rows(&tangent), &sizes.tangent());
+    }
+
     /// Stresses averaged over the ends, strain derivative in the middle. In (20) K holds the stresses of e and Ke is
     /// their force through the strain derivative at e, linear in either: Q̄ = ½ (K₀ + K₁) ½ (e₀ + e₁).
     #[test]
@@ -96,13 +118,15 @@ proptest! {
     /// middle times u₁ − u₀, and the energy being quadratic in the elastic strain ε, its change is σ̄ : (ε₁ − ε₀).
     #[test]
     fn the_mean_force_does_the_work_of_the_step(s in states()) {
-        let (kernel, u) = (kernel(&s), displacements(&s));
+        let u = displacements(&s);
         let ends = ends(&s, &u);
-        let work = kernel.mean_force(&ends).dot(&(u[1] - u[0]));
-        let change = kernel.energy(&u[1], ends.thermal_1) - kernel.energy(&u[0], ends.thermal_0);
-        // The work is a sum over both ends' displacements: four energies.
-        let scale = 4.0 * sizes_of_displacements(&s).energy();
-        assert_within("work", &[work + kernel.heating_work(&ends)], &[change], &[scale]);
+        for kernel in [Poisson::Full, Poisson::Axis].map(|poisson| kernel_with(&s, poisson)) {
+            let work = kernel.mean_force(&ends).dot(&(u[1] - u[0]));
+            let change = kernel.energy(&u[1], ends.thermal_1) - kernel.energy(&u[0], ends.thermal_0);
+            // The work is a sum over both ends' displacements: four energies.
+            let scale = 4.0 * sizes_of_displacements(&s).energy();
+            assert_within("work", &[work + kernel.heating_work(&ends)], &[change], &[scale]);
+        }
     }
 
     /// Q̄ is cubic in u₁, so the five-point difference is exact; see `properties.rs` for its rounding.
@@ -138,7 +162,7 @@ proptest! {
         let stretch = if sign { 1.0 } else { -1.0 } * 10f64.powf(exponent);
         let (t, _) = axes(theta);
         let u = uniform(l, stretch * t, 0.0 * t);
-        let kernel = Kernel::new(l, h, w, theta, 0.0, E / 2.0);
+        let kernel = Ancf::new(l, h, w, theta, Law { lambda: 0.0, mu: E / 2.0, poisson: Poisson::Full });
         let Q = kernel.force(&u, [0.0, 0.0]);
         let N = E * h * w * (stretch + 0.5 * stretch * stretch) * (1.0 + stretch);
         let [at_i, at_k] = [0, 10].map(|row| Q[row] * t.x + Q[row + 1] * t.y);

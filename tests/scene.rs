@@ -2,8 +2,8 @@
 
 use ancf::error::Error;
 use ancf::scene::{
-    Constraints, Direction, Force, Method, Output, Probe, Quantity, Rod, Scene, Scissors, Start, Support, Temperature,
-    ThermalModel, builtin_names, builtin_text,
+    Constraints, Direction, Element, Force, Method, Output, Poisson, Probe, Quantity, Rod, Scene, Scissors, Start,
+    Support, Temperature, ThermalModel, builtin_names, builtin_text,
 };
 
 /// The required keys, and nothing else.
@@ -28,7 +28,9 @@ fn what_is_left_out_is_absent_or_at_its_default() {
     assert_eq!(scene.material.alpha, 0.0);
     let (name, from, to) = ("r".into(), "p".into(), "q".into());
     let (pivot, material, section, temperature) = (None, None, None, None);
-    assert_eq!(scene.rods, [Rod { name, from, to, elements: 8, pivot, material, section, temperature }]);
+    let (element, poisson) = (Element::Ancf, Poisson::Full);
+    let rod = Rod { name, from, to, elements: 8, element, poisson, pivot, material, section, temperature };
+    assert_eq!(scene.rods, [rod]);
     assert_eq!((scene.supports.len(), scene.probes.len(), scene.gravity), (0, 0, [0.0, 0.0]));
     assert_eq!((scene.forces.len(), scene.notes.len(), scene.constraints), (0, 0, Constraints::Condensed));
     assert_eq!(scene.time.load_steps, 10);

@@ -5,7 +5,7 @@ mod common;
 
 use ancf::error::Error;
 use ancf::run::run;
-use ancf::scene::{Constraints, Method, Scene, Support};
+use ancf::scene::{Constraints, Element, Method, Poisson, Rod, Scene, Support};
 use ancf::structure::Structure;
 use nalgebra::{DVector, Rotation2, Vector2};
 
@@ -275,6 +275,23 @@ fn coarse_steps_under_a_heat_shock_are_warned_of() {
     assert!(warnings("pendulum-2d", 1e-3)[0].contains("axial wave"));
     assert!(warnings("pendulum-2d", 2.5e-4)[0].contains("axial wave"));
     assert!(warnings("pendulum-2d", 2.5e-5).is_empty() && warnings("pendulum-2d-relaxed", 1e-3).is_empty());
+}
+
+/// The paper's element with ν ≠ 0 is too stiff, and says so: by (1 − 2ν)/(1 − ν)² = 0.816 at ν = 0.3. The cure and the
+/// Euler–Bernoulli element do not lock.
+#[test]
+fn locking_is_warned_of() {
+    let warnings = |nu: f64, change: fn(&mut Rod)| {
+        let mut scene = Scene::builtin("cantilever").unwrap();
+        scene.material.nu = nu;
+        change(&mut scene.rods[0]);
+        run(&scene).unwrap().warnings
+    };
+    let locked = warnings(0.3, |_| {});
+    assert!(locked.len() == 1 && locked[0].contains("81.6 %") && locked[0].contains("`rod`"), "{locked:?}");
+    assert!(warnings(0.0, |_| {}).is_empty());
+    assert!(warnings(0.3, |rod| rod.poisson = Poisson::Axis).is_empty());
+    assert!(warnings(0.3, |rod| rod.element = Element::EulerBernoulli).is_empty());
 }
 
 /// The length of a slide's direction says nothing, however large or small.

@@ -96,7 +96,7 @@ fn orders(steps: &[f64], distances: &[Distances]) -> Vec<f64> {
     pairs.map(|(d, s)| (d[0].position / d[1].position).ln() / (s[0] / s[1]).ln()).collect()
 }
 
-/// The bars: positions within 1e-6 m (the issue's), and for the rest what was measured, with room for a factor of two.
+/// The bars: positions within 1e-6 m, and for the rest what was measured, with room for a factor of two.
 ///
 /// Velocities and forces carry the thickness vibrations, ω ≈ 3e4 rad/s, which positions hardly show. A method of second order
 /// is late by (ωΔt)²/24 · ωt, many radians at 0.5 s with steps of 5e-6 s, so that all of such a vibration is an error: a

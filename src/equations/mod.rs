@@ -1,6 +1,6 @@
 //! **The paper.** Equations (1)–(23) and (A.1)–(A.5) of Peng et al. (2018), one function each, in the paper's order
 //! and symbols: [`shape`] (1)–(5), [`inertia`] (6)–(7), [`strain`] (8)–(14), [`material`] (15)–(17), [`force`]
-//! (18)–(21), [`motion`] (22)–(23).
+//! (18)–(21), [`motion`] (22)–(23). Beyond them: [`axis`], a cure of locking, and [`cable`], the paper's competitor.
 //!
 //! Pure functions of numbers and arrays in SI units, global axes, for reading and checking;
 //! [`kernel`](crate::kernel) is the same element arranged for speed.
@@ -11,6 +11,8 @@
 
 #![allow(non_snake_case)] // The paper's symbols are names here: S, M, K_1, S_a, eps_T.
 
+pub mod axis;
+pub mod cable;
 pub mod force;
 pub mod inertia;
 pub mod material;
@@ -39,10 +41,12 @@ pub struct Entry {
     pub equation: &'static str,
     /// Path of the function below `equations`.
     pub function: &'static str,
-    /// The name of its value in [`state::evaluate`](crate::state::evaluate), or in
-    /// [`state::evaluate_system`](crate::state::evaluate_system) for (23).
+    /// The name of its value in [`state::evaluate`](crate::state::evaluate), in
+    /// [`state::evaluate_system`](crate::state::evaluate_system) for (23), or in
+    /// [`state::evaluate_cable`](crate::state::evaluate_cable) for the cable element.
     pub quantity: &'static str,
-    /// The name of the value in `fixtures/equations.json` that it must equal, in `fixtures/structure.json` for (23).
+    /// The name of the value in `fixtures/equations.json` that it must equal, in `fixtures/structure.json` for (23), in
+    /// `fixtures/cable.json` for the cable element.
     pub reference: &'static str,
     /// Printed or consistent.
     pub form: Form,
@@ -52,6 +56,11 @@ impl Entry {
     /// Whether its value is one of a structure, (23), and not of an element state.
     pub fn is_of_a_structure(&self) -> bool {
         self.equation == "23"
+    }
+
+    /// Whether its value is one of a cable element's state.
+    pub fn is_of_a_cable(&self) -> bool {
+        self.quantity.starts_with("cable.")
     }
 }
 
@@ -135,4 +144,24 @@ pub const CONTENTS: &[Entry] = &[
     entry("A.4", "shape::r_nodal", "A.4.r", Form::AsPrinted),
     also("A.5", "shape::S", "A.5.S", "2.S"),
     also("A.5", "shape::e", "A.5.e", "A.2.e"),
+    entry("", "axis::D_0", "axis.D_0", Form::Beyond),
+    entry("", "axis::epsilon", "axis.epsilon", Form::Beyond),
+    entry("", "axis::U", "axis.U", Form::Beyond),
+    entry("", "axis::Q_e", "axis.Q_e", Form::Beyond),
+    entry("", "axis::tangent", "axis.tangent", Form::Beyond),
+    entry("", "cable::S_i", "cable.S", Form::Beyond),
+    entry("", "cable::S_i_x", "cable.S_x", Form::Beyond),
+    entry("", "cable::S_i_xx", "cable.S_xx", Form::Beyond),
+    entry("", "cable::r", "cable.r", Form::Beyond),
+    entry("", "cable::r_x", "cable.r_x", Form::Beyond),
+    entry("", "cable::r_xx", "cable.r_xx", Form::Beyond),
+    entry("", "cable::epsilon", "cable.epsilon", Form::Beyond),
+    entry("", "cable::kappa", "cable.kappa", Form::Beyond),
+    entry("", "cable::T", "cable.T", Form::Beyond),
+    entry("", "cable::M", "cable.M", Form::Beyond),
+    entry("", "cable::U", "cable.U", Form::Beyond),
+    entry("", "cable::Q_e", "cable.Q_e", Form::Beyond),
+    entry("", "cable::tangent", "cable.tangent", Form::Beyond),
+    entry("", "cable::Q_w_gravity", "cable.Q_w", Form::Beyond),
+    entry("", "motion::acceleration", "cable.eddot", Form::Beyond),
 ];

@@ -4,7 +4,7 @@
 
 use super::force::Matrix14;
 use super::shape::Vector14;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 /// (22) What is left of M ë + Q_e(ΔT) = Q_w: the residual M ë + Q_e − Q_w, zero on a motion; N and N m.
 pub fn residual(M: &Matrix14, e_ddot: &Vector14, Q_e: &Vector14, Q_w: &Vector14) -> Vector14 {
@@ -14,8 +14,12 @@ pub fn residual(M: &Matrix14, e_ddot: &Vector14, Q_e: &Vector14, Q_w: &Vector14)
 /// (22) solved for the acceleration: ë = M⁻¹ (Q_w − Q_e); m/s² for positions, 1/s² for slopes.
 ///
 /// By Cholesky's factors, whose accuracy does not suffer from the different units of positions and slopes. `None`
-/// where M is not positive definite.
-pub fn acceleration(M: &Matrix14, Q_e: &Vector14, Q_w: &Vector14) -> Option<Vector14> {
+/// where M is not positive definite. N is 14, or 8 for the [`cable`](super::cable) element.
+pub fn acceleration<const N: usize>(
+    M: &SMatrix<f64, N, N>,
+    Q_e: &SVector<f64, N>,
+    Q_w: &SVector<f64, N>,
+) -> Option<SVector<f64, N>> {
     Some(M.cholesky()?.solve(&(Q_w - Q_e)))
 }
 

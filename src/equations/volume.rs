@@ -33,11 +33,16 @@ pub const GAUSS_3: [(f64, f64); 3] = [
     (0.774_596_669_241_483_4, 0.555_555_555_555_555_6),
 ];
 
+/// Places x (m) and shares dx (m) of a rule's points on an axis of length `l`; Σ dx = l.
+pub fn axis_points<const N: usize>(rule: &[(f64, f64); N], l: f64) -> [(f64, f64); N] {
+    rule.map(|(xi, w_xi)| (l / 2.0 * (1.0 + xi), l / 2.0 * w_xi))
+}
+
 /// The 5 × 3 points of a straight element of length `l`, height `h` and width `w` (m); Σ dV = l h w.
 pub fn gauss_points(l: f64, h: f64, w: f64) -> [Point; 15] {
+    let along = axis_points(&GAUSS_5, l);
     std::array::from_fn(|n| {
-        let (xi, w_xi) = GAUSS_5[n / 3];
-        let (eta, w_eta) = GAUSS_3[n % 3];
-        Point { x: l / 2.0 * (1.0 + xi), y: h / 2.0 * eta, dV: l / 2.0 * w_xi * h / 2.0 * w_eta * w }
+        let ((x, dx), (eta, w_eta)) = (along[n / 3], GAUSS_3[n % 3]);
+        Point { x, y: h / 2.0 * eta, dV: dx * h / 2.0 * w_eta * w }
     })
 }

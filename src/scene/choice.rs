@@ -21,10 +21,34 @@ words! {
 }
 
 words! {
+    /// Which element a rod is made of.
+    #[derive(Default)]
+    pub enum Element {
+        /// The paper's: shear deformable, 14 coordinates.
+        #[default]
+        Ancf = "ancf",
+        /// The paper's competitor ([`equations::cable`](crate::equations::cable)): no shear, axial heat, 8 coordinates.
+        EulerBernoulli = "euler-bernoulli",
+    }
+}
+
+words! {
+    /// Where Poisson's terms act.
+    #[derive(Default)]
+    pub enum Poisson {
+        /// Across the whole section: the paper's element, which locks where ν is not 0.
+        #[default]
+        Full = "full",
+        /// On the rod's axis only ([`equations::axis`](crate::equations::axis)): the cure.
+        Axis = "axis",
+    }
+}
+
+words! {
     /// Which strains heat causes.
     #[derive(Default)]
     pub enum ThermalModel {
-        /// Along the rod and across it: ε_T = αΔT I, equation (8).
+        /// Along the rod and across it: ε_T = αΔT I, equation (8). Euler–Bernoulli elements have no section to heat across.
         #[default]
         TwoD = "2d",
         /// Along the rod only: ε_T = αΔT t⊗t with the rod's initial direction t.
@@ -41,7 +65,7 @@ words! {
         /// The structure is unstretched at t = 0, so that its thermal stress is there at once.
         #[default]
         Sudden = "sudden",
-        /// The structure is at the stress-free stretch √(1 + 2αΔT(0)).
+        /// The structure is at the stress-free stretch: √(1 + 2αΔT(0)), of Euler–Bernoulli elements 1 + αΔT(0).
         Relaxed = "relaxed",
     }
 }

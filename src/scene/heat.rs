@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 use super::loads::check_history;
 use super::validate::{Check, require};
-use super::{Rod, Scene, Start, Temperature};
+use super::{Element, Rod, Scene, Start, Temperature};
 
 /// The temperatures of the scene and of its rods.
 pub(super) fn check_heat(scene: &Scene) -> Check {
@@ -31,14 +31,19 @@ pub(super) fn check_heat(scene: &Scene) -> Check {
 fn check_rod(scene: &Scene, rod: &Rod, heat: &Temperature, key: impl Display) -> Check {
     require(!heat.history.is_empty(), format_args!("{key}.history"), "[]", "at least one pair [t, dT]")?;
     let alpha = scene.material(rod).alpha;
-    // ΔT is linear between the pairs, so that 1 + 2αΔT is smallest at one of them.
+    // The square of the stress-free stretch, or that stretch itself.
+    let (factor, stretch) = match rod.element {
+        Element::Ancf => (2.0, "1 + 2 alpha dT"),
+        Element::EulerBernoulli => (1.0, "1 + alpha dT"),
+    };
+    // ΔT is linear between the pairs, so that the stretch is smallest at one of them.
     for (i, &[_, change]) in heat.history.iter().enumerate() {
-        let limit = -0.5 / alpha;
+        let limit = -1.0 / (factor * alpha);
         let side = if alpha > 0.0 { "over" } else { "under" };
         let rod = &rod.name;
-        let allowed = format_args!("dT {side} {limit:.6e} K, where 1 + 2 alpha dT stays positive in the rod `{rod}`");
+        let allowed = format_args!("dT {side} {limit:.6e} K, where {stretch} stays positive in the rod `{rod}`");
         let key = format_args!("{key}.history[{i}][1]");
-        require(1.0 + 2.0 * alpha * change > 0.0, key, format_args!("{change:?}"), allowed)?;
+        require(1.0 + factor * alpha * change > 0.0, key, format_args!("{change:?}"), allowed)?;
     }
     if heat.start == Start::Sudden {
         return Ok(());

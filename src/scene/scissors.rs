@@ -6,8 +6,8 @@ use std::fmt::Display;
 use super::topology::MOST_ELEMENTS;
 use super::validate::require;
 use super::{
-    Constraints, Direction, Force, Material, Method, Output, Probe, Quantity, Rod, Scene, Schema, Section, Start,
-    Support, Temperature, ThermalModel, Time,
+    Constraints, Direction, Element, Force, Material, Method, Output, Poisson, Probe, Quantity, Rod, Scene, Schema,
+    Section, Start, Support, Temperature, ThermalModel, Time,
 };
 use crate::error::Result;
 
@@ -125,6 +125,8 @@ impl Scissors {
                 from,
                 to,
                 elements: self.elements,
+                element: Element::default(),
+                poisson: Poisson::default(),
                 pivot: Some(format!("m{k}")),
                 material: None,
                 section: None,

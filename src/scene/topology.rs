@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 use super::parse::nearest;
 use super::validate::{Check, finite, require};
-use super::{Rod, Scene};
+use super::{Element, Poisson, Rod, Scene};
 
 /// Most elements of a scene: 400 000 coordinates. More is a mistyped number; a rod of that many elements has lost the
 /// digits in which its bending shows.
@@ -59,11 +59,14 @@ fn check_rods(scene: &Scene) -> Check {
         let allowed = format_args!("a whole number from 1 to {most} ({MOST_ELEMENTS} in all rods)");
         require((1..=most).contains(&rod.elements), format_args!("rods[{i}].elements"), rod.elements, allowed)?;
         elements += rod.elements;
+        let allowed = format_args!("\"full\"; the element \"{}\" has no section for Poisson's terms", rod.element);
+        let holds = rod.poisson == Poisson::Full || rod.element == Element::Ancf;
+        require(holds, format_args!("rods[{i}].poisson"), format_args!("\"{}\"", rod.poisson), allowed)?;
     }
     Ok(())
 }
 
-/// A pivot is a point of its own at the middle of two rods or more.
+/// A pivot is a point of its own at the middle of two rods or more, and needs a node there.
 fn check_pivots(scene: &Scene) -> Check {
     let mut pivots: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (i, rod) in scene.rods.iter().enumerate() {
@@ -72,6 +75,12 @@ fn check_pivots(scene: &Scene) -> Check {
             check_name(key, pivot)?;
             let allowed = "a name that no point in `points` has, as it stands for the middles of rods";
             require(!scene.points.contains_key(pivot), key, format_args!("{pivot:?}"), allowed)?;
+            let has_node = rod.elements.is_multiple_of(2) || rod.element == Element::Ancf;
+            let allowed = format_args!(
+                "an even number: the element \"{}\" has no node in its middle, where the pivot `{pivot}` is",
+                rod.element
+            );
+            require(has_node, format_args!("rods[{i}].elements"), rod.elements, allowed)?;
             pivots.entry(pivot).or_default().push(i);
         }
     }

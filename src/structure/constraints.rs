@@ -10,7 +10,7 @@ use nalgebra::{DVector, Vector2};
 
 use super::{ConstraintRow, Node, Point, Structure};
 use crate::linear::Bordered;
-use crate::scene::{Direction, Scene, Support};
+use crate::scene::{Direction, Element, Scene, Support};
 
 /// One row: Σ weight · nodal vector = 0.
 pub(super) struct Row {
@@ -41,7 +41,7 @@ pub(super) fn supports(scene: &Scene, points: &BTreeMap<String, Point>) -> impl 
         let node = points[&support.point].nodes[0];
         let held = held_directions(support).into_iter().map(move |direction| position(node, direction));
         let clamp = clamped(scene, points, support);
-        let clamp = clamp.map(|(node, weight)| Term { rod: node.rod, vector: node.director, weight });
+        let clamp = clamp.map(|(node, weight)| Term { rod: node.rod, vector: node.slope, weight });
         held.chain(clamp).map(|term| Row { terms: vec![term] })
     })
 }
@@ -59,7 +59,8 @@ pub(super) fn held_directions(support: &Support) -> Vec<Vector2<f64>> {
     support.fix.iter().map(axis).chain(support.across().map(Vector2::from)).collect()
 }
 
-/// The node whose section a support clamps, and the direction t₀ that its r_y must not have a part of.
+/// The node whose section a support clamps, and the direction that its slope must not have a part of: the rod's initial one
+/// for r_y, the one across for r_x.
 pub(super) fn clamped(
     scene: &Scene,
     points: &BTreeMap<String, Point>,
@@ -69,7 +70,12 @@ pub(super) fn clamped(
     let node = points[&support.point].nodes.iter().find(|node| scene.rods[node.rod].name == *name)?;
     let rod = &scene.rods[node.rod];
     let along = Vector2::from(scene.points[&rod.to]) - Vector2::from(scene.points[&rod.from]);
-    Some((*node, along.normalize()))
+    let t = along.normalize();
+    let forbidden = match rod.element {
+        Element::Ancf => t,
+        Element::EulerBernoulli => Vector2::new(-t.y, t.x),
+    };
+    Some((*node, forbidden))
 }
 
 impl Structure {

@@ -3,11 +3,10 @@
 use nalgebra::Vector2;
 
 use super::Structure;
-use super::rod::{Rod, stress_free, stretched};
-use crate::equations::force::Matrix14;
+use super::rod::Rod;
 use crate::equations::material;
 use crate::kernel::ThermalStrain;
-use crate::scene::{self, Material, Scene};
+use crate::scene::{self, Element, Material, Scene};
 
 impl Structure {
     /// The largest angular frequency, rad/s, to be expected: an upper bound of it for a straight structure at the start, and
@@ -21,15 +20,15 @@ impl Structure {
         let mut largest: f64 = 0.0;
         for rod in &self.rods {
             let mut look_at = |stretch: [f64; 2], thermal: ThermalStrain| {
-                let stiffness = rod.kernel.tangent(&stretched(&rod.element, stretch, Vector2::zeros()), thermal);
-                let square = largest_eigenvalue(&stiffness, &rod.mass);
-                // Where 2ε_T is less than nothing is left of the rod the stretch is not a number: no such state.
-                largest = if stretch.iter().all(|s| s.is_finite()) { largest.max(square) } else { largest };
+                // Where nothing is left of the rod there is no such state.
+                if stretch.iter().all(|less_one| 1.0 + less_one > 0.0) {
+                    largest = largest.max(rod.mesh.largest_square_frequency(stretch, thermal));
+                }
             };
             for thermal in rod.thermal_corners() {
                 look_at([0.0; 2], thermal);
-                look_at(stress_free(thermal), thermal);
-                look_at(stress_free(thermal.map(|strain| 2.0 * strain)), thermal);
+                look_at(rod.mesh.stress_free(thermal), thermal);
+                look_at(rod.mesh.stress_free(thermal.map(|strain| 2.0 * strain)), thermal);
             }
         }
         largest.sqrt()
@@ -41,10 +40,13 @@ impl Structure {
         scene.rods.iter().map(crossing).fold(f64::INFINITY, f64::min)
     }
 
-    /// The time in which an axial wave, √((λ + 2μ)/ρ) fast, runs along a rod, s.
+    /// The time in which an axial wave, √((λ + 2μ)/ρ) fast or √(E/ρ), runs along a rod, s.
     pub fn wave_time(scene: &Scene, rod: &scene::Rod) -> f64 {
         let Material { youngs_modulus, nu, rho, .. } = *scene.material(rod);
-        let stiff = material::lambda(youngs_modulus, nu) + 2.0 * material::mu(youngs_modulus, nu);
+        let stiff = match rod.element {
+            Element::Ancf => material::lambda(youngs_modulus, nu) + 2.0 * material::mu(youngs_modulus, nu),
+            Element::EulerBernoulli => youngs_modulus,
+        };
         let ends = Vector2::from(scene.points[&rod.to]) - Vector2::from(scene.points[&rod.from]);
         ends.norm() / (stiff / rho).sqrt()
     }
@@ -56,14 +58,4 @@ impl Rod {
         let times = self.heat.iter().flat_map(|heat| heat.temperature.history.iter().map(|&[t, _]| t));
         std::iter::once(0.0).chain(times).map(|t| self.thermal_strain(t)).collect()
     }
-}
-
-/// The largest ω² of K φ = ω² M φ: with M = L Lᵀ the largest eigenvalue of L⁻¹ K L⁻ᵀ. NaN where M is not positive definite.
-fn largest_eigenvalue(stiffness: &Matrix14, mass: &Matrix14) -> f64 {
-    let reduced = mass.cholesky().and_then(|cholesky| {
-        let lower = cholesky.l();
-        let half = lower.solve_lower_triangular(stiffness)?;
-        lower.solve_lower_triangular(&half.transpose())
-    });
-    reduced.map_or(f64::NAN, |matrix| matrix.symmetric_eigenvalues().max())
 }

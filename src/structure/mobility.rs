@@ -9,12 +9,12 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DVector, Vector2, Vector3};
 
+use super::Point;
 use super::constraints::{Row, pin, supports};
 use super::numbering::outwards;
 use super::rod::Rod;
-use super::unknowns::kind;
-use super::{Kind, Point};
 use crate::error::{Error, Result};
+use crate::kernel::Meaning;
 use crate::scene::Scene;
 
 /// |C x| / |x| below which x is a motion without strain: above what rounding leaves of zero in thousands of rods, and below
@@ -155,15 +155,16 @@ fn rates(scene: &Scene, rods: &[Rod], place: &[usize], row: &Row) -> Vec<(usize,
         let ends = [&scene.rods[rod].from, &scene.rods[rod].to].map(|name| Vector2::from(scene.points[name]));
         let along = (ends[1] - ends[0]).normalize();
         let across = Vector2::new(-along.y, along.x);
-        match kind(&rods[rod], vector) {
+        let (meaning, place) = rods[rod].nodal(vector);
+        match meaning {
             // r = r_from + s L t moves by v + ω s L n.
-            Kind::Position => {
-                let node = (2 * vector).div_ceil(5) as f64 / 2.0;
-                let fraction = node / rods[rod].elements as f64;
+            Meaning::Position => {
+                let fraction = place / rods[rod].elements as f64;
                 Vector3::new(weight.x, weight.y, fraction * weight.dot(&across))
             }
-            // r_y = n turns by −ω t.
-            _ => Vector3::new(0.0, 0.0, -weight.dot(&along)),
+            // r_x = t turns by ω n, r_y = n by −ω t.
+            Meaning::SlopeX => Vector3::new(0.0, 0.0, weight.dot(&across)),
+            Meaning::SlopeY => Vector3::new(0.0, 0.0, -weight.dot(&along)),
         }
     };
     let terms = row.terms.iter().flat_map(|term| {

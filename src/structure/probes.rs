@@ -2,10 +2,8 @@
 
 use nalgebra::{DVector, Vector2};
 
-use super::rod::Components;
+use super::mesh::{Components, Loaded};
 use super::{Node, Structure};
-use crate::equations::shape;
-use crate::kernel::ThermalStrain;
 
 /// What acts at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -39,8 +37,8 @@ impl Structure {
         self.rods[rod].chain[position]
     }
 
-    /// Unknown of a component (0: x, 1: y) of a nodal vector of a rod, by its place in the rod's order r, r_y, then r_j,
-    /// r_xj, r_yj, r_k, r_yk for each element; `None` where it is held, or there is no such rod or vector.
+    /// Unknown of a component (0: x, 1: y) of a nodal vector of a rod, by its place in the rod's order: r, r_y, then r_j,
+    /// r_xj, r_yj, r_k, r_yk for each element, or r, r_x, then r_k, r_xk; `None` where it is held, or there is no such rod or vector.
     pub fn unknown(&self, rod: &str, vector: usize, component: usize) -> Option<usize> {
         let rod = self.rods.iter().find(|known| known.name == rod)?;
         rod.chain.get(vector)?.unknowns.get(component).copied()?
@@ -52,15 +50,9 @@ impl Structure {
     /// c × (δ − fraction · Δ)/|c|: no difference of large numbers for a small deflection.
     pub fn deflection(&self, rod: &str, fraction: f64, u: &DVector<f64>) -> f64 {
         let Some(rod) = self.rods.iter().find(|known| known.name == rod) else { return f64::NAN };
-        let place = fraction * rod.elements as f64;
-        let element = (place.floor() as usize).min(rod.elements - 1);
-        let l = rod.element.l;
-        let shapes = shape::S_i((place - element as f64) * l, 0.0, l);
-        let axis =
-            rod.vectors(element).iter().zip(shapes).fold(Vector2::zeros(), |sum, (vector, s)| sum + s * vector.get(u));
-        let [start, end] = [0, 5 * rod.elements].map(|vector| rod.chain[vector].get(u));
-        let e_0 = shape::nodes(&rod.element.e_0);
-        let chord = (e_0.r_k - e_0.r_i) * rod.elements as f64 + end - start;
+        let axis = rod.mesh.axis(&rod.chain, fraction * rod.elements as f64, u);
+        let [start, end] = [0, rod.chain.len() - 2].map(|vector| rod.chain[vector].get(u));
+        let chord = rod.along * rod.elements as f64 + end - start;
         chord.perp(&(axis - start - fraction * (end - start))) / chord.norm()
     }
 
@@ -93,15 +85,9 @@ impl Structure {
             };
             return -Vector2::new(along(x), along(y));
         }
-        let thermal: ThermalStrain = self.thermal_strains(now.t)[node.rod];
+        let eps_t = self.thermal_strains(now.t)[node.rod];
         let weight = if self.grows { now.t } else { 1.0 };
-        let elements = (0..rod.elements).filter(|element| (5 * element..5 * element + 7).contains(&node.position));
-        let force = |element: usize| {
-            let inertia = rod.mass * rod.gather(element, now.a);
-            let force = inertia + rod.kernel.force(&rod.gather(element, now.u), thermal) - weight * rod.gravity;
-            force.fixed_rows::<2>(2 * (node.position - 5 * element)).into_owned()
-        };
-        elements.map(force).sum()
+        rod.mesh.force_at(&rod.chain, node.position, &Loaded { u: now.u, a: now.a, eps_t, weight })
     }
 
     fn point_force(&self, point: &str, t: f64) -> Vector2<f64> {

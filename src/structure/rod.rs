@@ -1,34 +1,29 @@
-//! A rod of equal elements: its nodal vectors among the unknowns, and what all elements share.
+//! A rod of equal elements: its nodal vectors among the unknowns, its elements, its heat.
 
-use nalgebra::{DVector, Rotation2, Vector2};
+use std::sync::Arc;
 
-use super::StepEnds;
-use crate::equations::force::{Element, Matrix14};
-use crate::equations::shape::{self, Nodes, Vector14};
-use crate::equations::{inertia, material};
-use crate::kernel::{Ends, Kernel, ThermalStrain};
+use nalgebra::Vector2;
+
+use super::Kind;
+use super::mesh::{Components, Equal, Mesh};
+use crate::equations::force::Element;
+use crate::equations::shape::Vector14;
+use crate::equations::{cable, inertia, material};
+use crate::kernel::{Ancf, Cable, Law, Meaning, NodalVector, ThermalStrain};
 use crate::scene::{self, Scene, Temperature, ThermalModel};
-
-/// Where the components of a nodal vector are among the unknowns.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Components {
-    /// `None` where a support holds the component.
-    pub unknowns: [Option<usize>; 2],
-    /// From the vector's own axes to the global ones, where they differ.
-    pub turn: Option<Rotation2<f64>>,
-}
 
 /// A rod with what all of its elements share.
 #[derive(Clone, Debug)]
 pub(super) struct Rod {
     pub name: String,
     pub elements: usize,
-    pub element: Element,
-    pub kernel: Kernel,
-    pub mass: Matrix14,
-    pub gravity: Vector14,
+    /// From node i to node k of an element, m.
+    pub along: Vector2<f64>,
+    /// Height of the section, m.
+    pub height: f64,
+    pub mesh: Arc<dyn Mesh>,
     pub heat: Option<Heat>,
-    /// Its nodal vectors in the order r, r_y, then r_j, r_xj, r_yj, r_k, r_yk for each element.
+    /// Its nodal vectors: node i's of the first element, then the others of each element.
     pub chain: Vec<Components>,
 }
 
@@ -38,52 +33,23 @@ pub(super) struct Heat {
     pub alpha: f64,
 }
 
-impl Components {
-    /// The nodal vector in a vector of unknowns, in global axes; zero where it is held.
-    pub fn get(&self, u: &DVector<f64>) -> Vector2<f64> {
-        let own = Vector2::from(self.unknowns.map(|unknown| unknown.map_or(0.0, |unknown| u[unknown])));
-        self.turn.map_or(own, |turn| turn * own)
-    }
-
-    /// Adds a nodal vector, in global axes, to the unknowns; what is held takes none.
-    pub fn add(&self, vector: &Vector2<f64>, sum: &mut DVector<f64>) {
-        let own = self.turn.map_or(*vector, |turn| turn.inverse() * vector);
-        for (unknown, value) in self.unknowns.iter().zip(&own) {
-            if let Some(unknown) = *unknown {
-                sum[unknown] += value;
-            }
-        }
-    }
-
-    /// Puts a nodal vector, in global axes, in its place.
-    pub fn set(&self, vector: &Vector2<f64>, u: &mut DVector<f64>) {
-        let own = self.turn.map_or(*vector, |turn| turn.inverse() * vector);
-        for (unknown, value) in self.unknowns.iter().zip(&own) {
-            if let Some(unknown) = *unknown {
-                u[unknown] = *value;
-            }
-        }
-    }
-}
-
 impl Rod {
     /// A rod by itself; its unknowns are not numbered yet.
     pub fn new(scene: &Scene, rod: &scene::Rod) -> Rod {
-        let (material, section) = (scene.material(rod), scene.section(rod));
-        let lambda = material::lambda(material.youngs_modulus, material.nu);
-        let mu = material::mu(material.youngs_modulus, material.nu);
         let from = Vector2::from(scene.points[&rod.from]);
-        let along = Vector2::from(scene.points[&rod.to]) - from;
-        let element = straight_element(from, along / rod.elements as f64, section.height, section.width);
+        let along = (Vector2::from(scene.points[&rod.to]) - from) / rod.elements as f64;
+        let mesh = match rod.element {
+            scene::Element::Ancf => ancf(scene, rod, along),
+            scene::Element::EulerBernoulli => euler_bernoulli(scene, rod, along),
+        };
         Rod {
             name: rod.name.clone(),
             elements: rod.elements,
-            kernel: Kernel::new(element.l, element.h, element.w, along.y.atan2(along.x), lambda, mu),
-            mass: inertia::M(material.rho, &element),
-            gravity: inertia::Q_w_gravity(&Vector2::from(scene.gravity), material.rho, &element),
-            heat: scene.heat(rod).map(|heat| Heat { temperature: heat.clone(), alpha: material.alpha }),
-            element,
-            chain: vec![Components::default(); 5 * rod.elements + 2],
+            along,
+            height: scene.section(rod).height,
+            heat: scene.heat(rod).map(|heat| Heat { temperature: heat.clone(), alpha: scene.material(rod).alpha }),
+            chain: vec![Components::default(); stride(&*mesh) * rod.elements + 2],
+            mesh,
         }
     }
 
@@ -100,78 +66,68 @@ impl Rod {
 
     /// An element's nodal vectors.
     pub fn vectors(&self, element: usize) -> &[Components] {
-        &self.chain[5 * element..5 * element + 7]
+        &self.chain[stride(&*self.mesh) * element..][..self.mesh.vectors().len()]
     }
 
-    /// An element's 14 coordinates from a vector of unknowns, in global axes.
-    pub fn gather(&self, element: usize, u: &DVector<f64>) -> Vector14 {
-        let mut gathered = Vector14::zeros();
-        for (n, vector) in self.vectors(element).iter().enumerate() {
-            gathered.fixed_rows_mut::<2>(2 * n).copy_from(&vector.get(u));
+    /// What a vector of the chain is, and how many elements from the rod's beginning.
+    pub fn nodal(&self, vector: usize) -> NodalVector {
+        let element = (vector / stride(&*self.mesh)).min(self.elements - 1);
+        let (meaning, at) = self.mesh.vectors()[vector - stride(&*self.mesh) * element];
+        (meaning, element as f64 + at)
+    }
+
+    /// Places in the chain of the position and of the slope that turns with the section, r_y or else r_x, of a node that
+    /// is `place` elements from the beginning.
+    pub fn node(&self, place: f64) -> Option<(usize, usize)> {
+        let find = |wanted| (0..self.chain.len()).find(|&vector| self.nodal(vector) == (wanted, place));
+        Some((find(Meaning::Position)?, find(Meaning::SlopeY).or_else(|| find(Meaning::SlopeX))?))
+    }
+
+    /// What the unknowns of a vector of the chain measure.
+    pub fn kind(&self, vector: usize) -> Kind {
+        match self.nodal(vector).0 {
+            Meaning::Position => Kind::Position,
+            Meaning::SlopeX => Kind::Slope(self.along.norm()),
+            Meaning::SlopeY => Kind::Slope(self.height),
         }
-        gathered
-    }
-
-    /// Adds an element's force to the unknowns'.
-    pub fn scatter(&self, element: usize, force: &Vector14, sum: &mut DVector<f64>) {
-        for (n, vector) in self.vectors(element).iter().enumerate() {
-            vector.add(&force.fixed_rows::<2>(2 * n).into_owned(), sum);
-        }
-    }
-
-    /// An element's matrix in its nodal vectors' own axes.
-    pub fn turned(&self, element: usize, mut matrix: Matrix14) -> Matrix14 {
-        for (n, vector) in self.vectors(element).iter().enumerate() {
-            if let Some(turn) = vector.turn {
-                let rows = turn.inverse() * matrix.fixed_rows::<2>(2 * n);
-                matrix.fixed_rows_mut::<2>(2 * n).copy_from(&rows);
-                let columns = matrix.fixed_columns::<2>(2 * n) * turn;
-                matrix.fixed_columns_mut::<2>(2 * n).copy_from(&columns);
-            }
-        }
-        matrix
-    }
-
-    /// A function of both ends of a step for one element; `n` is the rod's number.
-    pub fn over<T>(&self, step: &StepEnds, n: usize, element: usize, f: impl Fn(Ends<Vector14>) -> T) -> T {
-        let (u_0, u_1) = (self.gather(element, step.u_0), self.gather(element, step.u_1));
-        f(Ends { u_0: &u_0, u_1: &u_1, thermal_0: step.thermal_0[n], thermal_1: step.thermal_1[n] })
     }
 }
 
-/// The first element of a straight, unstretched rod: it begins at `from` and spans `along`.
-fn straight_element(from: Vector2<f64>, along: Vector2<f64>, h: f64, w: f64) -> Element {
+/// Nodal vectors from an element to the next: two are those of the node that they share.
+fn stride(mesh: &dyn Mesh) -> usize {
+    mesh.vectors().len() - 2
+}
+
+/// Elements of the paper.
+fn ancf(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>) -> Arc<dyn Mesh> {
+    let (material, section) = (scene.material(rod), scene.section(rod));
+    let lambda = material::lambda(material.youngs_modulus, material.nu);
+    let mu = material::mu(material.youngs_modulus, material.nu);
+    // Its place does not matter to mass and weight, so e₀ stays out.
+    let element = Element { l: along.norm(), h: section.height, w: section.width, e_0: Vector14::zeros() };
+    let Element { l, h, w, .. } = element;
+    Arc::new(Equal {
+        beam: Ancf::new(l, h, w, along.y.atan2(along.x), Law { lambda, mu, poisson: rod.poisson }),
+        along,
+        mass: inertia::M(material.rho, &element),
+        gravity: inertia::Q_w_gravity(&Vector2::from(scene.gravity), material.rho, &element),
+        unit_force: (lambda + 2.0 * mu) * h * w,
+    })
+}
+
+/// Elements of the paper's competitor.
+fn euler_bernoulli(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>) -> Arc<dyn Mesh> {
+    let (material, section) = (scene.material(rod), scene.section(rod));
+    let area = section.height * section.width;
+    let tension = material.youngs_modulus * area;
+    let bending = material.youngs_modulus * section.width * section.height.powi(3) / 12.0;
     let l = along.norm();
-    let t = along / l;
-    let n = Vector2::new(-t.y, t.x);
-    let e_0 = shape::e(&Nodes {
-        r_i: from,
-        r_y_i: n,
-        r_j: from + 0.5 * along,
-        r_x_j: t,
-        r_y_j: n,
-        r_k: from + along,
-        r_y_k: n,
-    });
-    Element { l, h, w, e_0 }
-}
-
-/// Stretches less 1 (along, across) at which a thermal strain makes no stress: √(1 + 2ε) − 1.
-pub(super) fn stress_free(thermal: ThermalStrain) -> [f64; 2] {
-    thermal.map(|strain| (1.0 + 2.0 * strain).sqrt() - 1.0)
-}
-
-/// Displacement of an element under the stretches 1 + `along`, 1 + `across`, its node i at `origin` from the fixed point.
-pub(super) fn stretched(element: &Element, [along, across]: [f64; 2], origin: Vector2<f64>) -> Vector14 {
-    let e_0 = shape::nodes(&element.e_0);
-    let position = |r: Vector2<f64>| along * (origin + r - e_0.r_i);
-    shape::e(&Nodes {
-        r_i: position(e_0.r_i),
-        r_y_i: across * e_0.r_y_i,
-        r_j: position(e_0.r_j),
-        r_x_j: along * e_0.r_x_j,
-        r_y_j: across * e_0.r_y_j,
-        r_k: position(e_0.r_k),
-        r_y_k: across * e_0.r_y_k,
+    Arc::new(Equal {
+        beam: Cable::new(l, along.y.atan2(along.x), tension, bending),
+        along,
+        mass: cable::M(material.rho * area, l),
+        gravity: cable::Q_w_gravity(&Vector2::from(scene.gravity), material.rho * area, l),
+        // An end moved across by l bends an element as well: more than its tension where it is higher than long.
+        unit_force: tension + 12.0 * bending / (l * l),
     })
 }

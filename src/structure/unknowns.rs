@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix2, Rotation2, Vector2};
 
 use super::constraints::{Row, clamped, held_directions};
+use super::mesh::Components;
 use super::numbering::order;
-use super::rod::{Components, Rod};
+use super::rod::Rod;
 use super::{ConstraintRow, Kind, Point};
 use crate::linear::{BlockLayout, Layout};
 use crate::scene::Scene;
@@ -24,7 +25,7 @@ fn number_own(rods: &mut [Rod], shared: impl Fn(usize, usize) -> bool, held: &He
     for (n, rod) in rods.iter_mut().enumerate() {
         let first = kinds.len();
         for vector in (0..rod.chain.len()).filter(|&vector| !shared(n, vector)) {
-            rod.chain[vector] = held.components(n, vector, kind(rod, vector), &mut kinds);
+            rod.chain[vector] = held.components(n, vector, rod.kind(vector), &mut kinds);
         }
         let band = (0..rod.elements).map(|element| spread(rod.vectors(element), first)).max().unwrap_or(0);
         layout.blocks.push(BlockLayout { first, size: kinds.len() - first, band, touches: Vec::new() });
@@ -104,7 +105,7 @@ impl Held {
                 held.entry((node.rod, node.position)).or_default().extend(held_directions(support));
             }
             if let Some((node, direction)) = clamped(scene, points, support) {
-                held.entry((node.rod, node.director)).or_default().push(direction);
+                held.entry((node.rod, node.slope)).or_default().push(direction);
             }
         }
         Held(held)
@@ -128,15 +129,6 @@ impl Held {
             })
         });
         Components { unknowns, turn }
-    }
-}
-
-/// What a nodal vector of a rod's chain measures.
-pub(super) fn kind(rod: &Rod, vector: usize) -> Kind {
-    match vector % 5 {
-        0 | 2 => Kind::Position,
-        3 => Kind::Slope(rod.element.l),
-        _ => Kind::Slope(rod.element.h),
     }
 }
 

@@ -4,10 +4,13 @@
 #![allow(dead_code)] // Each test binary uses its own part.
 
 use ancf::state::ElementState;
+use serde::de::DeserializeOwned;
 use serde_json::Value;
 
+pub mod cable;
 pub mod motion;
 pub mod pendulum;
+pub mod references;
 pub mod scale;
 pub mod system;
 
@@ -19,34 +22,40 @@ pub struct Equations {
     pub json: Value,
 }
 
-/// One state of it.
-pub struct Case<'a> {
+/// One state of it, or of `fixtures/cable.json`.
+pub struct Case<'a, S = ElementState> {
     pub id: &'a str,
-    pub state: ElementState,
+    pub state: S,
     values: &'a Value,
+}
+
+/// A fixture's content.
+pub fn read(file: &str) -> Value {
+    let path = format!("{}/fixtures/{file}", env!("CARGO_MANIFEST_DIR"));
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+/// All states of a fixture that has `least` at least.
+pub fn cases<S: DeserializeOwned>(json: &Value, least: usize) -> Vec<Case<'_, S>> {
+    let states = json["states"].as_array().unwrap();
+    assert!(states.len() >= least, "only {} states", states.len());
+    states
+        .iter()
+        .map(|case| Case {
+            id: case["id"].as_str().unwrap(),
+            state: serde_json::from_value(case["state"].clone()).unwrap(),
+            values: &case["values"],
+        })
+        .collect()
 }
 
 impl Equations {
     pub fn load() -> Equations {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/equations.json");
-        let text = std::fs::read_to_string(path).unwrap();
-        Equations { json: serde_json::from_str(&text).unwrap() }
+        Equations { json: read("equations.json") }
     }
 
     pub fn cases(&self) -> Vec<Case<'_>> {
-        let case = |state: &'static str, case: &Value| -> ElementState {
-            serde_json::from_value(case[state].clone()).unwrap()
-        };
-        let states = self.json["states"].as_array().unwrap();
-        assert!(states.len() >= 24, "only {} states", states.len());
-        states
-            .iter()
-            .map(|value| Case {
-                id: value["id"].as_str().unwrap(),
-                state: case("state", value),
-                values: &value["values"],
-            })
-            .collect()
+        cases(&self.json, 24)
     }
 
     pub fn case(&self, id: &str) -> Case<'_> {
@@ -54,7 +63,7 @@ impl Equations {
     }
 }
 
-impl Case<'_> {
+impl<S> Case<'_, S> {
     /// A quantity's numbers (nearest f64), row by row; for a point quantity one point after the other.
     pub fn value(&self, quantity: &str) -> Vec<f64> {
         let value = &self.values[quantity]["f64"];

@@ -1,5 +1,6 @@
 //! `fixtures/pendulum.json`.
 
+use ancf::scene::Element;
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -10,6 +11,7 @@ pub struct Pendulum {
 #[derive(Deserialize)]
 pub struct OracleRun {
     pub id: String,
+    pub element: Element,
     pub model: String,
     pub start: Option<String>,
     pub elements: usize,

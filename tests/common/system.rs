@@ -4,12 +4,11 @@ use ancf::state::SystemState;
 use nalgebra::{DMatrix, DVector};
 use serde_json::Value;
 
-use super::flatten;
+use super::{flatten, read};
 
 /// The fixture.
 pub fn systems() -> Value {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/structure.json");
-    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+    read("structure.json")
 }
 
 /// One case: the oracle's terms of (23), and its values.
