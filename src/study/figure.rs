@@ -13,10 +13,29 @@ pub struct Curve<'a> {
     pub name: &'a str,
     /// Index into the palette, so that a model has one colour in every picture.
     pub colour: usize,
-    /// Drawn thin and pale, behind what matters more.
-    pub faint: bool,
+    /// How it is drawn.
+    pub stroke: Stroke,
     /// (time, value).
     pub points: Vec<(f64, f64)>,
+    /// How far each value may be off, drawn as a bar; empty where that is not known.
+    pub uncertainty: Vec<f64>,
+}
+
+impl<'a> Curve<'a> {
+    /// A line of values that are as exact as can be drawn.
+    pub fn line(name: &'a str, colour: usize, points: Vec<(f64, f64)>) -> Curve<'a> {
+        Curve { name, colour, stroke: Stroke::Line, points, uncertainty: Vec::new() }
+    }
+}
+
+/// How a curve is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stroke {
+    Line,
+    /// Thin and pale, behind what matters more.
+    Faint,
+    /// A dot a value.
+    Dots,
 }
 
 /// One panel: a quantity over time.
@@ -28,8 +47,14 @@ pub struct Panel<'a> {
 }
 
 /// Okabe and Ito's colours, told apart by the colour-blind too.
-const PALETTE: [RGBColor; 5] =
-    [RGBColor(0, 0, 0), RGBColor(230, 159, 0), RGBColor(0, 114, 178), RGBColor(0, 158, 115), RGBColor(150, 150, 150)];
+const PALETTE: [RGBColor; 6] = [
+    RGBColor(0, 0, 0),
+    RGBColor(230, 159, 0),
+    RGBColor(0, 114, 178),
+    RGBColor(0, 158, 115),
+    RGBColor(150, 150, 150),
+    RGBColor(213, 94, 0),
+];
 
 const WIDTH: u32 = 960;
 const PANEL_HEIGHT: u32 = 320;
@@ -69,15 +94,12 @@ fn draw_panel<'a>(
     times: Range<f64>,
     legend: bool,
 ) -> DrawingResult<'a> {
-    // The legend stands at the left, above a curve that rises and below one that falls.
-    let ends = panel.curves.first().and_then(|curve| curve.points.first().zip(curve.points.last()));
-    let rises = ends.is_some_and(|(first, last)| last.1 > first.1);
     let values = extent(panel.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1), 0.05);
     let mut chart = ChartBuilder::on(area)
         .margin(10)
         .x_label_area_size(40)
         .y_label_area_size(80)
-        .build_cartesian_2d(times, values)?;
+        .build_cartesian_2d(times.clone(), values.clone())?;
     chart
         .configure_mesh()
         .x_desc("time t, s")
@@ -89,21 +111,64 @@ fn draw_panel<'a>(
         .draw()?;
     for curve in &panel.curves {
         let colour = PALETTE[curve.colour % PALETTE.len()];
-        let style = if curve.faint { colour.mix(0.4).stroke_width(1) } else { colour.stroke_width(2) };
-        chart
-            .draw_series(LineSeries::new(envelope(&curve.points), style))?
-            .label(curve.name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 20, y)], style));
+        chart.draw_series(error_bars(curve).map(|ends| PathElement::new(ends, colour.stroke_width(1))))?;
+        let style = match curve.stroke {
+            Stroke::Faint => colour.mix(0.4).stroke_width(1),
+            Stroke::Line => colour.stroke_width(2),
+            Stroke::Dots => colour.filled(),
+        };
+        if curve.stroke == Stroke::Dots {
+            let dots = curve.points.iter().map(|point| Circle::new(*point, 2, style));
+            let legend = move |(x, y)| Circle::new((x + 10, y), 2, style);
+            chart.draw_series(dots)?.label(curve.name).legend(legend);
+        } else {
+            let legend = move |(x, y)| PathElement::new([(x, y), (x + 20, y)], style);
+            chart.draw_series(LineSeries::new(envelope(&curve.points), style))?.label(curve.name).legend(legend);
+        }
     }
     if legend {
         chart
             .configure_series_labels()
-            .position(if rises { SeriesLabelPosition::UpperLeft } else { SeriesLabelPosition::LowerLeft })
+            .position(emptiest_corner(panel, &times, &values))
             .background_style(WHITE.mix(0.8))
             .label_font(("sans-serif", 14))
             .draw()?;
     }
     Ok(())
+}
+
+/// Where a legend hides the fewest points.
+fn emptiest_corner(panel: &Panel, times: &Range<f64>, values: &Range<f64>) -> SeriesLabelPosition {
+    /// Pixels of a legend beside and above its lines, of a line, of a character, and of the panel's axes.
+    const FRAME: (f64, f64) = (50.0, 20.0);
+    const LINE: f64 = 20.0;
+    const CHARACTER: f64 = 8.0;
+    const AXES: (f64, f64) = (100.0, 60.0);
+    let longest = panel.curves.iter().map(|curve| curve.name.chars().count()).max().unwrap_or(0) as f64;
+    let width = (FRAME.0 + CHARACTER * longest) / (f64::from(WIDTH) - AXES.0);
+    let height = (FRAME.1 + LINE * panel.curves.len() as f64) / (f64::from(PANEL_HEIGHT) - AXES.1);
+    let place = |at: f64, range: &Range<f64>| (at - range.start) / (range.end - range.start);
+    let hidden = |right: bool, upper: bool| {
+        let points = panel.curves.iter().flat_map(|curve| &curve.points);
+        let covered = |(t, v): &&(f64, f64)| {
+            let (x, y) = (place(*t, times), place(*v, values));
+            (if right { x > 1.0 - width } else { x < width }) && (if upper { y > 1.0 - height } else { y < height })
+        };
+        points.filter(covered).count()
+    };
+    let corners = [
+        (hidden(false, true), SeriesLabelPosition::UpperLeft),
+        (hidden(false, false), SeriesLabelPosition::LowerLeft),
+        (hidden(true, true), SeriesLabelPosition::UpperRight),
+        (hidden(true, false), SeriesLabelPosition::LowerRight),
+    ];
+    let [first, ..] = corners.clone();
+    corners.into_iter().min_by_key(|(hidden, _)| *hidden).unwrap_or(first).1
+}
+
+/// A line from the least to the largest that each value may be.
+fn error_bars(curve: &Curve) -> impl Iterator<Item = [(f64, f64); 2]> {
+    curve.points.iter().zip(&curve.uncertainty).map(|((t, v), u)| [(*t, v - u), (*t, v + u)])
 }
 
 /// The points, or where there are more than can be seen the least and the largest value of each piece of the time, in

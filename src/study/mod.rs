@@ -1,11 +1,14 @@
 //! The main job: the paper's Sections 3 and 4, recomputed and compared with the oracles.
 
 mod claims;
+mod continuum;
 mod figure;
+mod locking;
 mod oracle;
 mod pendulum;
 mod pinned;
 mod scissors;
+mod section3;
 mod section4;
 mod signal;
 mod table;
@@ -24,9 +27,14 @@ use crate::report::{self, Files};
 #[derive(Serialize)]
 struct Report {
     wall_seconds: f64,
-    /// Section 3: the pendulum against the oracle, and its tip.
+    /// Section 3: the pendulum against the oracle and against a plane solid, its tip, and the paper's statements.
     oracle: Vec<oracle::Row>,
+    continuum: Vec<oracle::Row>,
     tip: Vec<pendulum::Row>,
+    errors: Vec<section3::ErrorRow>,
+    shear: Vec<section3::ShearRow>,
+    statements: Vec<section3::Row>,
+    locking: locking::Locking,
     /// Section 4: structures against the oracle, a4, energies, and the paper's statements.
     structures: Vec<oracle::Row>,
     a4: Vec<section4::Row>,
@@ -77,7 +85,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let clock = Instant::now();
     // First, so that a folder that cannot be written is not found after the work.
     let mut files = Files::in_folder(out)?;
-    let (oracle, pinned) = (oracle::load()?, pinned::load()?);
+    let (oracle, pinned, continuum) = (oracle::load()?, pinned::load()?, continuum::load()?);
 
     print("Peng et al. (2018), Section 3: the heated pendulum of Table 1\n\n")?;
     let rows = oracle::compare(&oracle)?;
@@ -85,6 +93,13 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let models = pendulum::simulate()?;
     print(&table::tips(&models, &oracle))?;
     print(&table::differences(&models))?;
+    let errors = section3::errors(&models, &continuum)?;
+    let shear = section3::shear(&models, &continuum, &oracle.shear)?;
+    print(&table::errors(&errors, &shear))?;
+    let bars = section3::bars(&models, &errors, &shear);
+    print(&table::bars(&bars))?;
+    let (statements, locking) = (section3::measure(&models, &continuum)?, locking::measure()?);
+    print(&table::statements(&statements, &locking))?;
 
     print("Section 4: the deployable structure of Table 2\n\n")?;
     let structures = pinned::compare(&pinned)?;
@@ -102,9 +117,11 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let claims = claims::measure(&structure);
     print(&table::claims(&claims))?;
 
-    let failed = rows.iter().chain(&structures).filter(|row| !row.holds()).map(ToString::to_string);
+    let failed = rows.iter().chain(&bars).chain(&structures).filter(|row| !row.holds()).map(ToString::to_string);
     let failed: Vec<String> = failed.chain(energy.iter().filter(|e| !e.holds()).map(ToString::to_string)).collect();
-    for (name, svg) in pendulum::pictures(&models, &oracle.rigid)?.into_iter().chain(section4::pictures(&structure)?) {
+    for (name, svg) in
+        pendulum::pictures(&models, &oracle.rigid, &continuum)?.into_iter().chain(section4::pictures(&structure)?)
+    {
         files.write(name, |file| file.write_all(svg.as_bytes()))?;
     }
     files.write("pendulum.csv", |file| report::write_csv(file, &pendulum::curves(&models)))?;
@@ -112,7 +129,12 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let report = Report {
         wall_seconds: clock.elapsed().as_secs_f64(),
         oracle: rows,
+        continuum: bars,
         tip: models.iter().flat_map(pendulum::Model::rows).collect(),
+        errors,
+        shear,
+        statements,
+        locking,
         structures,
         a4,
         energy,

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::in_parallel;
 use super::pendulum::{Variant, tip};
 use crate::error::{Error, Result};
+use crate::scene::Element;
 
 /// What `python -m oracle` writes: the pendulum from its strain energy alone, and the rigid pendulum.
 const TEXT: &str = include_str!("../../fixtures/pendulum.json");
@@ -18,12 +19,21 @@ const BOUND: f64 = 1e-6;
 pub struct Oracle {
     pub runs: Vec<Run>,
     pub rigid: Rigid,
+    pub shear: Shear,
+}
+
+/// What a shear correction factor would change of the flexible pendulum's tip.
+#[derive(Deserialize)]
+pub struct Shear {
+    pub t: Vec<f64>,
+    pub shift: Vec<[f64; 2]>,
 }
 
 /// One run by the oracle's integrator.
 #[derive(Deserialize)]
 pub struct Run {
     pub id: String,
+    pub element: Element,
     pub model: String,
     pub start: Option<String>,
     pub elements: usize,
@@ -99,7 +109,7 @@ pub fn compare(oracle: &Oracle) -> Result<Vec<Row>> {
         let end = run.t.last().copied().unwrap_or_default();
         let unknown = || Error::Fixture { name: "pendulum.json", reason: format!("no scene for the run {}", run.id) };
         let scene = run.scene().ok_or_else(unknown)?;
-        let ours = tip(&Variant { scene, elements: run.elements, step, end, interval: 0.05 })?;
+        let ours = tip(&Variant { scene, element: run.element, elements: run.elements, step, end, interval: 0.05 })?;
         let distances = run.t.iter().zip(&run.tip).map(|(&t, tip)| ours.distance(t, *tip));
         Ok(Row {
             run: run.id.clone(),

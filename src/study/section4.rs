@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::claims::WINDOW;
-use super::figure::{Curve, Panel, Snapshot, snapshots, svg};
+use super::figure::{Curve, Panel, Snapshot, Stroke, snapshots, svg};
 use super::scissors::{Family, Motion, RODS, STEP, Structure};
 use super::signal::Signal;
 use crate::error::{Error, Result};
@@ -51,7 +51,7 @@ pub fn rows(structure: &Structure) -> Vec<Row> {
 /// Figures 6, 7 and 8, what heat changes in Figure 7, and the structure at six instants, with their file names.
 pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
     let (flexible, heated, axis) = (&structure.fine.flexible, &structure.fine.axis_and_section, &structure.fine.axis);
-    let curve = |name, colour, signal: &Signal| Curve { name, colour, faint: false, points: signal.points() };
+    let curve = |name, colour, signal: &Signal| Curve::line(name, colour, signal.points());
     let deflection = RODS.map(|rod| Panel {
         quantity: format!("deflection of {rod}, m"),
         curves: vec![
@@ -90,21 +90,18 @@ fn temperature() -> Result<Panel<'static>> {
     let missing = || Error::Fixture { name, reason: "there is no such scene, or it has no temperature".into() };
     let history = Scene::builtin(name).and_then(|scene| scene.temperature).ok_or_else(missing)?.history;
     let points = history.iter().map(|&[t, change]| (t, change)).collect();
-    Ok(Panel {
-        quantity: "change of temperature, K".into(),
-        curves: vec![Curve { name: "temperature", colour: HEATED, faint: false, points }],
-    })
+    Ok(Panel { quantity: "change of temperature, K".into(), curves: vec![Curve::line("temperature", HEATED, points)] })
 }
 
 /// Displacement, velocity and acceleration of a4 along one axis. The acceleration at an instant, which does not converge
 /// with the mesh, has its mean over 20 ms below it, and what numerical damping leaves of it.
 fn figure8(structure: &Structure, axis: usize) -> Result<String> {
-    let curves = |family: &Family, quantity: &str, faint: bool, change: &dyn Fn(Signal) -> Signal| {
+    let curves = |family: &Family, quantity: &str, stroke: Stroke, change: &dyn Fn(Signal) -> Signal| {
         let models =
             [("flexible", FLEXIBLE, &family.flexible), ("2D heat", HEATED, &family.axis_and_section)].into_iter();
         let curve = |(name, colour, motion): (&'static str, usize, &Motion)| {
             let [x, y] = motion.of_point("a4", quantity);
-            Curve { name, colour, faint, points: change([x, y][axis].clone()).points() }
+            Curve { stroke, ..Curve::line(name, colour, change([x, y][axis].clone()).points()) }
         };
         models.map(curve).collect()
     };
@@ -114,11 +111,14 @@ fn figure8(structure: &Structure, axis: usize) -> Result<String> {
     let as_it_is = |signal| signal;
     let panel = |quantity: String, curves: Vec<Curve<'static>>| Panel { quantity, curves };
     let panels = [
-        panel(format!("displacement along {name}, m"), curves(fine, "", false, &|signal| signal.shifted(-start))),
-        panel(format!("velocity along {name}, m/s"), curves(fine, "v", false, &as_it_is)),
-        panel(format!("acceleration along {name}, m/s²"), curves(fine, "a", true, &as_it_is)),
-        panel("its mean over 20 ms, m/s²".into(), curves(fine, "a", false, &|signal| signal.mean(WINDOW))),
-        panel("numerically damped, m/s²".into(), curves(damped, "a", true, &as_it_is)),
+        panel(
+            format!("displacement along {name}, m"),
+            curves(fine, "", Stroke::Line, &|signal| signal.shifted(-start)),
+        ),
+        panel(format!("velocity along {name}, m/s"), curves(fine, "v", Stroke::Line, &as_it_is)),
+        panel(format!("acceleration along {name}, m/s²"), curves(fine, "a", Stroke::Faint, &as_it_is)),
+        panel("its mean over 20 ms, m/s²".into(), curves(fine, "a", Stroke::Line, &|signal| signal.mean(WINDOW))),
+        panel("numerically damped, m/s²".into(), curves(damped, "a", Stroke::Faint, &as_it_is)),
     ];
     let title = "acceleration at instants does not converge with the mesh, see its mean";
     svg(&format!("Figure 8: a4 along {name}; {title}"), &panels)

@@ -3,9 +3,11 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
+use super::locking::{Locking, SmallLoad};
 use super::oracle::{Oracle, Row};
-use super::pendulum::{self, ELEMENTS, Model, STEP, TIMES};
-use super::{Balance, claims, scissors, section4};
+use super::pendulum::{self, Mesh, Model, TIMES};
+use super::section3::{ErrorRow, Finding, ShearRow};
+use super::{Balance, claims, scissors, section3, section4};
 
 /// Lines of text; writing into a string cannot fail.
 struct Lines(String);
@@ -29,7 +31,7 @@ pub fn oracle(rows: &[Row]) -> String {
 
 /// Structures beside the oracle's, and stiff ones beside rigid ones.
 pub fn structures(rows: &[Row]) -> String {
-    let title = "4. Two pinned rods at different temperatures by the oracle, in free coordinates, t = 0 … 0.5 s (named by their elements);\n   \
+    let title = "7. Two pinned rods at different temperatures by the oracle, in free coordinates, t = 0 … 0.5 s (named by their elements);\n   \
                  rigid-3: three scissors with E · 10⁴ beside the rigid mechanism, t = 0 … 2.9 s";
     compared(title, rows)
 }
@@ -37,35 +39,43 @@ pub fn structures(rows: &[Row]) -> String {
 fn compared(title: &str, rows: &[Row]) -> String {
     let mut lines = Lines(format!("{title}\n\n"));
     lines.push(format_args!(
-        "   {:14} {:>8} {:>16} {:>16} {:>10}  {}",
+        "   {:19} {:>8} {:>16} {:>16} {:>10}  {}",
         "run", "step, s", "distance, m", "oracle's error", "bound", "verdict"
     ));
     for row in rows {
         let verdict = if row.holds() { "holds" } else { "FAILS" };
         let Row { run, step, largest_distance, oracle_error, bound, .. } = row;
         lines.push(format_args!(
-            "   {run:14} {step:8.1e} {largest_distance:16.1e} {oracle_error:16.1e} {bound:10.0e}  {verdict}"
+            "   {run:19} {step:8.1e} {largest_distance:16.1e} {oracle_error:16.1e} {bound:10.1e}  {verdict}"
         ));
     }
     lines.end()
 }
 
-/// Tip positions of all models, with what a coarser step and mesh change.
+/// Tip positions of all models, with what a coarser step and another mesh change.
 pub fn tips(models: &[Model], oracle: &Oracle) -> String {
-    let mut lines = Lines(format!(
-        "2. Tip position, m: {ELEMENTS} elements, explicit, step {STEP:.0e} s. Behind it what twice the step and half the\n   \
-         elements change, and the oracle's position with four elements where it has one (its distance is the mesh's).\n"
-    ));
+    let mut lines = Lines(
+        "2. Tip position, m, explicit. Behind it what twice the step and twice the elements change, and the oracle's position\n   \
+         with four elements where it has one (its distance is the mesh's).\n"
+            .into(),
+    );
     for model in models {
+        let Mesh { elements, step, other_elements } = model.kind.mesh;
+        lines.push(format_args!("\n   {}, {elements} elements, step {step:.0e} s", model.kind.name));
         lines.push(format_args!(
-            "\n   {:12} {:>10} {:>10} {:>12} {:>12} {:>24}",
-            model.name, "x", "y", "2 × step", "½ elements", "oracle, 4 elements"
+            "   {:12} {:>10} {:>10} {:>12} {:>12} {:>24}",
+            "",
+            "x",
+            "y",
+            "2 × step",
+            format!("{other_elements} elements"),
+            "oracle, 4 elements"
         ));
         for row in model.rows() {
-            let pendulum::Row { t, tip: [x, y], change_with_twice_the_step, change_with_half_the_elements, .. } = row;
+            let pendulum::Row { t, tip: [x, y], change_with_twice_the_step, change_with_the_other_mesh, .. } = row;
             let oracle = oracle_at(oracle, model, t).map_or(String::new(), |[x, y]| format!("({x:.6}, {y:.6})"));
             lines.push(format_args!(
-                "   t = {t:<4} s   {x:10.6} {y:10.6} {change_with_twice_the_step:12.1e} {change_with_half_the_elements:12.1e} {oracle:>24}"
+                "   t = {t:<4} s   {x:10.6} {y:10.6} {change_with_twice_the_step:12.1e} {change_with_the_other_mesh:12.1e} {oracle:>24}"
             ));
         }
     }
@@ -73,31 +83,100 @@ pub fn tips(models: &[Model], oracle: &Oracle) -> String {
 }
 
 fn oracle_at(oracle: &Oracle, model: &Model, t: f64) -> Option<[f64; 2]> {
-    let run = oracle.runs.iter().find(|run| run.scene() == Some(model.scene) && run.elements == 4)?;
+    let kind = |run: &&super::oracle::Run| run.scene() == Some(model.kind.scene) && run.element == model.kind.element;
+    let run = oracle.runs.iter().filter(kind).find(|run| run.elements == 4)?;
     let sample = run.t.iter().position(|sample| (sample - t).abs() < 1e-9)?;
     Some(run.tip[sample])
 }
 
 /// How far the heated models' tips are from the flexible one's, and from each other.
 pub fn differences(models: &[Model]) -> String {
-    let [flexible, sudden_1d, sudden_2d, relaxed_1d, relaxed_2d] = models else { return String::new() };
+    let of = |id: &str| models.iter().find(|model| model.kind.id == id);
     let mut lines = Lines("3. Distance between the models' tips, mm (the paper's Figure 4)\n\n".into());
     lines.push(format_args!("   {:10} {:>34} {:>34}", "", "sudden start", "relaxed start"));
     let head = ["1D–flexible", "2D–flexible", "2D–1D"];
     let heads = head.iter().chain(&head).map(|name| format!("{name:>11}")).collect::<Vec<_>>().join(" ");
     lines.push(format_args!("   {:10} {heads}", ""));
     for t in TIMES {
-        let distance = |a: &Model, b: &Model| 1e3 * a.tip.distance(t, b.tip.at(t));
+        let distance = |(a, b): (&str, &str)| match (of(a), of(b)) {
+            (Some(a), Some(b)) => 1e3 * a.tip.distance(t, b.tip.at(t)),
+            _ => f64::NAN,
+        };
         let pairs = [
-            (sudden_1d, flexible),
-            (sudden_2d, flexible),
-            (sudden_2d, sudden_1d),
-            (relaxed_1d, flexible),
-            (relaxed_2d, flexible),
-            (relaxed_2d, relaxed_1d),
+            ("1d-sudden", "flexible"),
+            ("2d-sudden", "flexible"),
+            ("2d-sudden", "1d-sudden"),
+            ("1d-relaxed", "flexible"),
+            ("2d-relaxed", "flexible"),
+            ("2d-relaxed", "1d-relaxed"),
         ];
-        let values = pairs.iter().map(|(a, b)| format!("{:11.3}", distance(a, b))).collect::<Vec<_>>().join(" ");
+        let values = pairs.map(|pair| format!("{:11.3}", distance(pair))).join(" ");
         lines.push(format_args!("   t = {t:<4} s {values}"));
+    }
+    lines.end()
+}
+
+/// What the distance from the solid is made of.
+pub fn errors(rows: &[ErrorRow], shear: &[ShearRow]) -> String {
+    let mut lines = Lines(
+        "4. Largest distance of the tip from the plane solid that is heated alike, m; what twice the elements change (space),\n   \
+         twice the step (time), the solid's uncertainty, and what these leave for the model at least\n\n"
+            .into(),
+    );
+    let heads = ["distance", "space", "time", "solid's own", "model, ≥"].map(|head| format!("{head:>11}")).join(" ");
+    lines.push(format_args!("   {:14} {:12} {heads}", "model", ""));
+    for ErrorRow { model, window, distance, space, time, reference, model_error } in rows {
+        let window = window.to_string();
+        let model_error = if *model_error > 0.0 { format!("{model_error:.1e}") } else { "–".into() };
+        lines.push(format_args!(
+            "   {model:14} {window:12} {distance:11.1e} {space:11.1e} {time:11.1e} {reference:11.1e} {model_error:>11}"
+        ));
+    }
+    lines.push(format_args!(
+        "\n   The flexible model's own error is the shear correction that the element does not have. Its distance every 0.05 s, and\n   \
+         what is left of it when the tip is moved by what a factor of 5/6 would change (oracle, 16 elements):"
+    ));
+    for ShearRow { window, distance, corrected } in shear {
+        let window = window.to_string();
+        lines.push(format_args!("   {:14} {window:12} {distance:11.1e} → {corrected:.1e}", ""));
+    }
+    lines.end()
+}
+
+/// The bars for these distances.
+pub fn bars(rows: &[Row]) -> String {
+    compared("5. What the distance from the plane solid may be; the error beside it is the solid's own", rows)
+}
+
+/// The paper's statements on the pendulum.
+pub fn statements(rows: &[section3::Row], locking: &Locking) -> String {
+    let mut lines = Lines(
+        "6. What the paper says of it, measured against the plane solid in the windows of 4; ± the solid's uncertainty with our\n   \
+         space and time\n"
+            .into(),
+    );
+    lines.push(format_args!("\n   {}", locking.statement));
+    lines.push(format_args!(
+        "      tip of one element under a small load over that of Timoshenko's beam, L/h = 2, 10, 100, 1000"
+    ));
+    for SmallLoad { nu, poisson, ratios } in &locking.small_load {
+        let ratios = ratios.iter().map(|(_, ratio)| format!("{ratio:.4}")).collect::<Vec<_>>().join(", ");
+        lines.push(format_args!("      ν = {nu}, Poisson's terms \"{poisson}\": {ratios}"));
+    }
+    let errors = locking.large_bending.iter().map(|(elements, error)| format!("{error:.1e} ({elements})"));
+    let errors = errors.collect::<Vec<_>>().join(", ");
+    lines.push(format_args!(
+        "      PL²/EI = 10, h/L = 10⁻³: distance of the tip from the elastica's over L (elements): {errors}"
+    ));
+    lines.push(format_args!("      → {}", locking.verdict));
+    for section3::Row { statement, measure, sudden, relaxed, verdict } in rows {
+        lines.push(format_args!("\n   {statement}"));
+        lines.push(format_args!("      {measure}"));
+        for (name, findings) in [("sudden", sudden), ("relaxed", relaxed)] {
+            let words = |Finding { value, uncertainty, .. }: &Finding| format!("{value:.2e} ± {uncertainty:.1e}");
+            lines.push(format_args!("      {name:8} {}", findings.iter().map(words).collect::<Vec<_>>().join(", ")));
+        }
+        lines.push(format_args!("      → {verdict}"));
     }
     lines.end()
 }
@@ -105,7 +184,7 @@ pub fn differences(models: &[Model]) -> String {
 /// a4 over time, with what a coarser step and mesh change.
 pub fn a4(rows: &[section4::Row]) -> String {
     let mut lines = Lines(format!(
-        "5. Point a4, m: {} elements a rod, energy–momentum, step {:.0e} s; and what twice the step and half the elements \
+        "8. Point a4, m: {} elements a rod, energy–momentum, step {:.0e} s; and what twice the step and half the elements \
          change\n\n   {:10} {:10} {:>10} {:>10} {:>12} {:>12}\n",
         scissors::ELEMENTS,
         scissors::STEP,
@@ -127,7 +206,7 @@ pub fn a4(rows: &[section4::Row]) -> String {
 
 /// Energy balances.
 pub fn energies(rows: &[Balance]) -> String {
-    let mut lines = Lines("6. Energy balance of these runs, every step\n\n".into());
+    let mut lines = Lines("9. Energy balance of these runs, every step\n\n".into());
     for row in rows {
         lines.push(format_args!("   {row}: {}", if row.holds() { "holds" } else { "FAILS" }));
     }
@@ -137,7 +216,7 @@ pub fn energies(rows: &[Balance]) -> String {
 /// The paper's statements.
 pub fn claims(rows: &[claims::Row]) -> String {
     let mut lines = Lines(format!(
-        "7. What the paper says of it, measured under the assumptions of `ancf scene scissors-3-thermal`: undamped (energy–\n   \
+        "10. What the paper says of it, measured under the assumptions of `ancf scene scissors-3-thermal`: undamped (energy–\n   \
          momentum), the same with half the elements and with twice the step, and damped (generalized-α, ρ∞ = {}, step {:.0e} s)\n",
         scissors::DAMPED_RHO,
         scissors::DAMPED_STEP
