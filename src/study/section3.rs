@@ -108,7 +108,7 @@ pub fn shear(models: &[Model], continuum: &Continuum, shear: &oracle::Shear) -> 
                 let [x, y] = flexible.tip.at(*t);
                 solid.tip.distance(*t, [x + part * dx, y + part * dy])
             };
-            shifts.map(distance).max_by(f64::total_cmp).unwrap_or(f64::NAN)
+            largest_of(shifts.map(distance))
         };
         ShearRow { window, distance: largest(0.0), corrected: largest(1.0) }
     };
