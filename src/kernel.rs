@@ -7,6 +7,7 @@
 
 mod ancf;
 mod cable;
+mod plane;
 
 use nalgebra::{SMatrix, SVector, Vector2};
 

@@ -14,7 +14,9 @@ use common::cable::{cables, scale};
 use common::{TOLERANCE, within, worst_ratio};
 use nalgebra::{Rotation2, SMatrix, Vector2};
 use proptest::prelude::*;
-use states::{assert_within, cases};
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+use states::{assert_within, cases, compared};
 
 /// Energy, force and tangent in every state of the fixture: nothing of `equations` takes part.
 #[test]
@@ -197,4 +199,27 @@ proptest! {
         prop_assert!((Q[4] * t.x + Q[5] * t.y - N).abs() <= 1e-13 * N);
         prop_assert!((Q[0] * t.x + Q[1] * t.y + N).abs() <= 1e-13 * N);
     }
+}
+
+/// Forces and tangents in 10,000 random states: within 1e-13 of the terms that are added up (measured 1.0e-16 and 4.6e-17), and
+/// within 1e-12 of the largest entry (measured 7.8e-14 and 1.9e-15).
+#[test]
+fn ten_thousand_states() {
+    let mut runner = TestRunner::deterministic();
+    let mut worst = [0.0f64; 4];
+    for _ in 0..10_000 {
+        let s = states().new_tree(&mut runner).unwrap().current();
+        let State { l, EA, EI, eps_T: [eps_T, _], .. } = s;
+        let (kernel, u, e) = (s.cable(), s.u(0), s.u(0) + s.e_0());
+        let Q = cable::Q_e(&e, eps_T, EA, EI, l);
+        let K = cable::tangent(&e, eps_T, EA, EI, l);
+        let (force, tangent) = (kernel.force(&u, [eps_T, 0.0]), rows(&kernel.tangent(&u, [eps_T, 0.0])));
+        let ratios = compared([force.as_slice(), &tangent], [Q.as_slice(), &rows(&K)], [&s.force(), &s.tangent()]);
+        worst = std::array::from_fn(|n| worst[n].max(ratios[n]));
+    }
+    let [force, tangent, force_entry, tangent_entry] = worst;
+    println!(
+        "forces {force:.1e}, tangents {tangent:.1e} of their terms; {force_entry:.1e}, {tangent_entry:.1e} of the largest entry"
+    );
+    assert!(force_entry <= 1e-12 && tangent_entry <= 1e-12);
 }

@@ -3,151 +3,140 @@
 //! With u = e − e₀, p = u_x, s = u_xx and the initial unit vector t: r_x = t + p, r_xx = s, and
 //! |r_x| − 1 = (2t·p + p·p)/(1 + |r_x|), which subtracts no 1 from a number near 1.
 
-#![allow(non_snake_case)] // The symbols of the derivation are names here: EA, EI, N, M, J, H.
+#![allow(non_snake_case)] // The symbols of the derivation are names here: EA, EI, N, M, A, B, H, K, Q.
 
-use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
+use nalgebra::Vector2;
+use wide::f64x2;
 
 use super::Meaning::{Position, SlopeX};
+use super::plane::{
+    Block, Linear, Pair, Quadratic, Scalar, Station, Vec2, Vector, add_at, add_moments, add_slope_at, at, coordinates,
+    matrix, nodal, pairs, slope_at, spread, stations, vec2,
+};
 use super::{Beam, Ends, NodalVector, ThermalStrain};
-use crate::equations::cable::{Matrix8, S_i, S_i_x, S_i_xx, Vector8};
-use crate::equations::volume::{GAUSS_3, GAUSS_5, axis_points};
-
-/// A Gauss point of the axial strain, or of the curvature: weight (m) and shape functions there.
-#[derive(Clone, Copy, Debug)]
-struct Station {
-    weight: f64,
-    s_x: [f64; 4],
-    s_xx: [f64; 4],
-}
+use crate::equations::cable::{Matrix8, S_i, Vector8};
+use crate::equations::volume::{GAUSS_3, GAUSS_5};
 
 /// One straight element: everything about it that does not change in time.
 #[derive(Clone, Debug)]
 pub struct Cable {
-    t: Vector2<f64>,
-    axial: [Station; 5],
-    bending: [Station; 3],
+    t: Vec2,
+    /// 1/l
+    per_length: f64,
+    axial: [Station<f64>; 5],
+    bending: [Station<f64>; 3],
+    axial_pairs: [Station<f64x2>; 3],
+    bending_pairs: [Station<f64x2>; 2],
     EA: f64,
     EI: f64,
 }
 
-/// The axis at a station of the axial strain.
+/// The axis at a station of the axial strain, or at two.
 #[derive(Clone, Copy)]
-struct Stretch {
-    r_x: Vector2<f64>,
+struct Stretch<V: Vector> {
+    r_x: V,
     /// |r_x|
-    length: f64,
+    length: V::Number,
+    /// 1/|r_x|
+    inverse: V::Number,
     /// |r_x| − 1
-    strain: f64,
+    strain: V::Number,
 }
 
-/// The axis at a station of the curvature.
+/// The axis at a station of the curvature, or at two.
 #[derive(Clone, Copy)]
-struct Bend {
-    r_x: Vector2<f64>,
-    r_xx: Vector2<f64>,
+struct Bend<V: Vector> {
+    r_x: V,
+    r_xx: V,
     /// r_x × r_xx, 1/m
-    cross: f64,
+    cross: V::Number,
     /// r_x · r_x
-    square: f64,
+    square: V::Number,
+    /// Its inverse.
+    inverse: V::Number,
 }
 
-impl Stretch {
+/// A vector in (p, s): by p, by s.
+type Both<V = Vec2> = [V; 2];
+
+/// A matrix in (p, s), by its four blocks.
+type Blocks = [[Block; 2]; 2];
+
+/// a bᵀ.
+#[inline(always)]
+fn outers(a: Both, b: Both) -> Blocks {
+    a.map(|a| b.map(|b| Block::outer(1.0, a, b)))
+}
+
+/// a A + b B.
+#[inline(always)]
+fn combined(a: f64, A: &Blocks, b: f64, B: &Blocks) -> Blocks {
+    [0, 1].map(|row| [0, 1].map(|column| A[row][column] * a + B[row][column] * b))
+}
+
+/// ∂²(r_x × r_xx)/∂(p, s)²: p × s = p₁s₂ − p₂s₁.
+fn cross_rate_rate() -> Blocks {
+    let ps = Block([vec2(0.0, -1.0), vec2(1.0, 0.0)]);
+    let sp = Block([vec2(0.0, 1.0), vec2(-1.0, 0.0)]);
+    [[Block::ZERO, ps], [sp, Block::ZERO]]
+}
+
+impl<V: Vector> Stretch<V> {
     /// ∂ε/∂p
-    fn rate(&self) -> Vector2<f64> {
-        self.r_x / self.length
-    }
-
-    /// ∂²ε/∂p²
-    fn rate_rate(&self) -> Matrix2<f64> {
-        let n = self.rate();
-        (Matrix2::identity() - n * n.transpose()) / self.length
+    #[inline(always)]
+    fn rate(&self) -> V {
+        self.r_x.times(self.inverse)
     }
 }
 
-impl Bend {
-    fn kappa(&self) -> f64 {
-        self.cross / self.square
+impl Stretch<Vec2> {
+    /// ∂²ε/∂p²
+    #[inline(always)]
+    fn rate_rate(&self) -> Block {
+        let n = self.rate();
+        (Block::identity(1.0) - Block::outer(1.0, n, n)) * self.inverse
+    }
+}
+
+impl<V: Vector> Bend<V> {
+    #[inline(always)]
+    fn kappa(&self) -> V::Number {
+        self.cross * self.inverse
     }
 
     /// ∂κ/∂(p, s), from κ |r_x|² = r_x × r_xx.
-    fn rate(&self) -> Vector4<f64> {
-        let Bend { r_x, r_xx, square, .. } = self;
-        stack(-turn(r_xx) - 2.0 * self.kappa() * r_x, turn(r_x)) / *square
+    #[inline(always)]
+    fn rate(&self) -> Both<V> {
+        let Bend { r_x, r_xx, inverse, .. } = *self;
+        let kappa = self.kappa();
+        [-r_xx.turn() - r_x.times(kappa + kappa), r_x.turn()].map(|rate| rate.times(inverse))
     }
+}
 
+impl Bend<Vec2> {
     /// ∂²κ/∂(p, s)², from the same differentiated twice.
-    fn rate_rate(&self) -> Matrix4<f64> {
-        let along = stack(self.r_x, Vector2::zeros());
-        let product = along * self.rate().transpose();
-        let mut H = cross_rate_rate() - 2.0 * (product + product.transpose());
-        H[(0, 0)] -= 2.0 * self.kappa();
-        H[(1, 1)] -= 2.0 * self.kappa();
-        H / self.square
+    #[inline(always)]
+    fn rate_rate(&self) -> Blocks {
+        let rate = self.rate();
+        let mut H = cross_rate_rate();
+        // −2 (r_x rateᵀ + rate r_xᵀ) and −2κ in p.
+        H[0][0] = Block::outer(-2.0, self.r_x, rate[0]) + Block::outer(-2.0, rate[0], self.r_x)
+            - Block::identity(2.0 * self.kappa());
+        H[0][1] = H[0][1] + Block::outer(-2.0, self.r_x, rate[1]);
+        H[1][0] = H[1][0] + Block::outer(-2.0, rate[1], self.r_x);
+        H.map(|row| row.map(|block| block * self.inverse))
     }
 }
 
-/// A vector turned by a right angle: a × b = turn(a)·b.
-fn turn(v: &Vector2<f64>) -> Vector2<f64> {
-    Vector2::new(-v.y, v.x)
-}
+/// Moments Σ w ζⁿ H of the stations' stiffnesses in (p, s), n = 0 … 4.
+type Moments = [[[Block; 5]; 2]; 2];
 
-/// ∂²(r_x × r_xx)/∂(p, s)².
-fn cross_rate_rate() -> Matrix4<f64> {
-    let mut H = Matrix4::zeros();
-    (H[(0, 3)], H[(3, 0)]) = (1.0, 1.0);
-    (H[(1, 2)], H[(2, 1)]) = (-1.0, -1.0);
-    H
-}
-
-fn stack(p: Vector2<f64>, s: Vector2<f64>) -> Vector4<f64> {
-    Vector4::new(p.x, p.y, s.x, s.y)
-}
-
-fn sum(shape: &[f64; 4], u: &Vector8) -> Vector2<f64> {
-    shape.iter().enumerate().fold(Vector2::zeros(), |sum, (n, s)| sum + *s * Vector2::new(u[2 * n], u[2 * n + 1]))
-}
-
-impl Station {
-    fn new(l: f64, (x, weight): (f64, f64)) -> Station {
-        Station { weight, s_x: S_i_x(x, l), s_xx: S_i_xx(x, l) }
-    }
-
-    /// Adds Bᵀ f for a force f on p.
-    fn add_axial(&self, f: Vector2<f64>, Q: &mut Vector8) {
-        for (n, s_x) in self.s_x.iter().enumerate() {
-            Q[2 * n] += s_x * f.x;
-            Q[2 * n + 1] += s_x * f.y;
-        }
-    }
-
-    /// Adds Bᵀ f for a force f on (p, s).
-    fn add_bending(&self, f: Vector4<f64>, Q: &mut Vector8) {
-        for (n, (s_x, s_xx)) in self.s_x.iter().zip(&self.s_xx).enumerate() {
-            Q[2 * n] += s_x * f[0] + s_xx * f[2];
-            Q[2 * n + 1] += s_x * f[1] + s_xx * f[3];
-        }
-    }
-
-    /// Adds Bᵀ H B for a stiffness H in p.
-    fn add_axial_stiffness(&self, H: &Matrix2<f64>, K: &mut Matrix8) {
-        for (j, s_j) in self.s_x.iter().enumerate() {
-            for (i, s_i) in self.s_x.iter().enumerate() {
-                let mut target = K.fixed_view_mut::<2, 2>(2 * i, 2 * j);
-                target += s_i * s_j * H;
-            }
-        }
-    }
-
-    /// Adds Bᵀ H B for a stiffness H in (p, s).
-    fn add_bending_stiffness(&self, H: &Matrix4<f64>, K: &mut Matrix8) {
-        let block = |row: usize, column: usize| H.fixed_view::<2, 2>(2 * row, 2 * column).into_owned();
-        let (pp, ps, sp, ss) = (block(0, 0), block(0, 1), block(1, 0), block(1, 1));
-        for (j, (x_j, xx_j)) in self.s_x.iter().zip(&self.s_xx).enumerate() {
-            let (p_column, s_column) = (*x_j * pp + *xx_j * ps, *x_j * sp + *xx_j * ss);
-            for (i, (x_i, xx_i)) in self.s_x.iter().zip(&self.s_xx).enumerate() {
-                let mut target = K.fixed_view_mut::<2, 2>(2 * i, 2 * j);
-                target += *x_i * p_column + *xx_i * s_column;
-            }
+/// Adds one station's stiffness in (p, s) to the moments.
+#[inline(always)]
+fn add_stiffness(station: &Station<f64>, H: &Blocks, moments: &mut Moments) {
+    for (row, H) in moments.iter_mut().zip(H) {
+        for (moments, H) in row.iter_mut().zip(H) {
+            add_moments(station.zeta, *H, moments);
         }
     }
 }
@@ -156,21 +145,99 @@ impl Cable {
     /// An element of length `l` (m), inclination `theta` (rad) and the stiffnesses `EA` (N) and `EI` (N m²).
     pub fn new(l: f64, theta: f64, EA: f64, EI: f64) -> Cable {
         let (sin, cos) = theta.sin_cos();
-        let (axial, bending) = (axis_points(&GAUSS_5, l), axis_points(&GAUSS_3, l));
-        let station = |point| Station::new(l, point);
-        Cable { t: Vector2::new(cos, sin), axial: axial.map(station), bending: bending.map(station), EA, EI }
+        let (axial, bending) = (stations(&GAUSS_5, l), stations(&GAUSS_3, l));
+        let (axial_pairs, bending_pairs) = (pairs(&axial), pairs(&bending));
+        Cable { t: vec2(cos, sin), per_length: 1.0 / l, axial, bending, axial_pairs, bending_pairs, EA, EI }
     }
 
-    fn stretch(&self, station: &Station, u: &Vector8) -> Stretch {
-        let p = sum(&station.s_x, u);
-        let r_x = self.t + p;
-        let length = r_x.norm();
-        Stretch { r_x, length, strain: (2.0 * self.t.dot(&p) + p.dot(&p)) / (1.0 + length) }
+    /// p = u_x as a polynomial; its slope is l/2 u_xx. With Δ = (rᵏ − rⁱ)/l, the mean m of the ends' slopes and their difference 2d,
+    /// r_x = ½(3Δ − m) + d ζ + 3/2 (m − Δ) ζ².
+    #[inline(always)]
+    fn shape(&self, u: &Vector8) -> Quadratic<Vec2> {
+        let [r_i, slope_i, r_k, slope_k] = nodal(u.as_slice());
+        let (chord, mean) = ((r_k - r_i) * self.per_length, (slope_i + slope_k) * 0.5);
+        [chord * 1.5 - mean * 0.5, (slope_k - slope_i) * 0.5, (mean - chord) * 1.5]
     }
 
-    fn bend(&self, station: &Station, u: &Vector8) -> Bend {
-        let (r_x, r_xx) = (self.t + sum(&station.s_x, u), sum(&station.s_xx, u));
-        Bend { r_x, r_xx, cross: r_x.perp(&r_xx), square: r_x.norm_squared() }
+    /// Forces on the nodal vectors from those on the polynomial's coefficients: the transpose of [`shape`](Cable::shape).
+    #[inline(always)]
+    fn to_nodes<T: Linear>(&self, [p_0, p_1, p_2]: &[T; 3]) -> [T; 4] {
+        let chord = (*p_0 - *p_2) * (1.5 * self.per_length);
+        let (mean, difference) = (*p_2 * 0.75 - *p_0 * 0.25, *p_1 * 0.5);
+        [chord * -1.0, mean - difference, chord, mean + difference]
+    }
+
+    /// Adds a force on p at a station, or at two, to those on the coefficients.
+    #[inline(always)]
+    fn add_axial<V: Vector>(station: &Station<V::Number>, f: V, Q: &mut Quadratic<V>) {
+        add_at(station.zeta, f, Q);
+    }
+
+    /// Adds a force on (p, s).
+    #[inline(always)]
+    fn add_bending<V: Vector>(&self, station: &Station<V::Number>, [f_p, f_s]: Both<V>, Q: &mut Quadratic<V>) {
+        add_at(station.zeta, f_p, Q);
+        add_slope_at(station.zeta, f_s.times(V::Number::of(2.0 * self.per_length)), Q);
+    }
+
+    /// Nodal forces from those on the coefficients of two stations at once.
+    #[inline(always)]
+    fn nodal_force(&self, Q: Quadratic<Pair>) -> Vector8 {
+        Vector8::from(coordinates(&self.to_nodes(&Q.map(Pair::sum))))
+    }
+
+    /// The element's matrix from the moments of its axial and of its bending stiffness. The coefficient m moves p by ζᵐ and s by
+    /// 2m ζᵐ⁻¹/l.
+    fn matrix(&self, axial: &[Block; 5], bending: &Moments) -> Matrix8 {
+        let [[pp, ps], [sp, ss]] = bending;
+        let slope = |m: usize| 2.0 * self.per_length * m as f64;
+        let mut of_coefficients = [[Block::ZERO; 3]; 3];
+        for (n, row) in of_coefficients.iter_mut().enumerate() {
+            for (m, block) in row.iter_mut().enumerate() {
+                let power: usize = n + m;
+                let below = power.saturating_sub(1);
+                *block = axial[power]
+                    + pp[power]
+                    + ps[below] * slope(m)
+                    + sp[below] * slope(n)
+                    + ss[below.saturating_sub(1)] * (slope(n) * slope(m));
+            }
+        }
+        Matrix8::from(matrix(&of_coefficients, |forces| self.to_nodes(forces)))
+    }
+
+    #[inline(always)]
+    fn stretch<V: Vector>(&self, station: &Station<V::Number>, shape: &Quadratic<V>) -> Stretch<V> {
+        let [one, two] = [1.0, 2.0].map(V::Number::of);
+        let (t, p) = (V::of(self.t), at(station.zeta, shape));
+        let r_x = t + p;
+        let length = r_x.dot(r_x).sqrt();
+        // One division for both: they take as long as ten multiplications.
+        let both = one / (length * (one + length));
+        let strain = (two * t.dot(p) + p.dot(p)) * (length * both);
+        Stretch { r_x, length, inverse: (one + length) * both, strain }
+    }
+
+    /// Second derivative of a station's axial energy in p, its geometric part from the elastic strain `expected`.
+    #[inline(always)]
+    fn axial_stiffness(&self, station: &Station<f64>, stretch: &Stretch<Vec2>, expected: f64) -> Block {
+        let (EA, rate) = (station.weight * self.EA, stretch.rate());
+        (Block::outer(1.0, rate, rate) + stretch.rate_rate() * expected) * EA
+    }
+
+    /// The same of its bending energy in (p, s).
+    #[inline(always)]
+    fn bending_stiffness(&self, station: &Station<f64>, bend: &Bend<Vec2>, expected: f64) -> Blocks {
+        let (EI, rate) = (station.weight * self.EI, bend.rate());
+        combined(EI, &outers(rate, rate), EI * expected, &bend.rate_rate())
+    }
+
+    #[inline(always)]
+    fn bend<V: Vector>(&self, station: &Station<V::Number>, shape: &Quadratic<V>) -> Bend<V> {
+        let r_x = V::of(self.t) + at(station.zeta, shape);
+        let r_xx = slope_at(station.zeta, shape).times(V::Number::of(2.0 * self.per_length));
+        let square = r_x.dot(r_x);
+        Bend { r_x, r_xx, cross: r_x.turn().dot(r_xx), square, inverse: V::Number::of(1.0) / square }
     }
 }
 
@@ -183,176 +250,234 @@ impl Beam<8> for Cable {
     }
 
     fn axis(fraction: f64, u: &Vector8, l: f64) -> Vector2<f64> {
-        sum(&S_i(fraction * l, l), u)
+        S_i(fraction * l, l)
+            .into_iter()
+            .zip(nodal::<4>(u.as_slice()))
+            .fold(Vec2::ZERO, |sum, (s, r)| sum + r * s)
+            .to_array()
+            .into()
     }
 
     fn energy(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> f64 {
+        let u = self.shape(u);
         let axial = self.axial.iter().map(|station| {
-            let epsilon = self.stretch(station, u).strain - eps_T;
+            let epsilon = self.stretch(station, &u).strain - eps_T;
             0.5 * station.weight * self.EA * epsilon * epsilon
         });
         let bending = self.bending.iter().map(|station| {
-            let kappa = self.bend(station, u).kappa();
+            let kappa = self.bend(station, &u).kappa();
             0.5 * station.weight * self.EI * kappa * kappa
         });
         axial.sum::<f64>() + bending.sum::<f64>()
     }
 
     fn force(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> Vector8 {
-        let mut Q = Vector8::zeros();
-        for station in &self.axial {
-            let stretch = self.stretch(station, u);
-            let N = self.EA * (stretch.strain - eps_T);
-            station.add_axial(station.weight * N * stretch.rate(), &mut Q);
+        let shape: Quadratic<Pair> = spread(&self.shape(u));
+        let [EA, EI, eps_T] = [self.EA, self.EI, eps_T].map(f64x2::splat);
+        let mut Q = [Pair::ZERO; 3];
+        for pair in &self.axial_pairs {
+            let stretch = self.stretch(pair, &shape);
+            let N = EA * (stretch.strain - eps_T);
+            Cable::add_axial(pair, stretch.rate().times(pair.weight * N), &mut Q);
         }
-        for station in &self.bending {
-            let bend = self.bend(station, u);
-            station.add_bending(station.weight * self.EI * bend.kappa() * bend.rate(), &mut Q);
+        for pair in &self.bending_pairs {
+            let bend = self.bend(pair, &shape);
+            let M = pair.weight * EI * bend.kappa();
+            self.add_bending(pair, bend.rate().map(|rate| rate.times(M)), &mut Q);
         }
-        Q
+        self.nodal_force(Q)
     }
 
-    fn tangent(&self, u: &Vector8, eps_T: ThermalStrain) -> Matrix8 {
-        self.mixed_tangent(u, u, eps_T)
+    fn tangent(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> Matrix8 {
+        let u = self.shape(u);
+        let (mut axial, mut bending) = ([Block::ZERO; 5], [[[Block::ZERO; 5]; 2]; 2]);
+        for station in &self.axial {
+            let stretch = self.stretch(station, &u);
+            add_moments(station.zeta, self.axial_stiffness(station, &stretch, stretch.strain - eps_T), &mut axial);
+        }
+        for station in &self.bending {
+            let bend = self.bend(station, &u);
+            add_stiffness(station, &self.bending_stiffness(station, &bend, bend.kappa()), &mut bending);
+        }
+        self.matrix(&axial, &bending)
     }
 
     fn mixed_tangent(&self, before: &Vector8, u: &Vector8, [eps_T, _]: ThermalStrain) -> Matrix8 {
-        let Cable { EA, EI, .. } = *self;
-        let mut K = Matrix8::zeros();
+        let (before, u) = (self.shape(before), self.shape(u));
+        let (mut axial, mut bending) = ([Block::ZERO; 5], [[[Block::ZERO; 5]; 2]; 2]);
         for station in &self.axial {
-            let (stretch_before, stretch) = (self.stretch(station, before), self.stretch(station, u));
-            let change = stretch_before.rate().dot(&(stretch.r_x - stretch_before.r_x));
-            let expected = EA * (stretch_before.strain + change - eps_T);
-            let rate = stretch.rate();
-            let H = EA * rate * rate.transpose() + expected * stretch.rate_rate();
-            station.add_axial_stiffness(&(station.weight * H), &mut K);
+            let (stretch_before, stretch) = (self.stretch(station, &before), self.stretch(station, &u));
+            let change = stretch_before.rate().dot(stretch.r_x - stretch_before.r_x);
+            let expected = stretch_before.strain + change - eps_T;
+            add_moments(station.zeta, self.axial_stiffness(station, &stretch, expected), &mut axial);
         }
         for station in &self.bending {
-            let (bend_before, bend) = (self.bend(station, before), self.bend(station, u));
-            let change = stack(bend.r_x - bend_before.r_x, bend.r_xx - bend_before.r_xx).dot(&bend_before.rate());
-            let expected = EI * (bend_before.kappa() + change);
-            let rate = bend.rate();
-            let H = EI * rate * rate.transpose() + expected * bend.rate_rate();
-            station.add_bending_stiffness(&(station.weight * H), &mut K);
+            let (bend_before, bend) = (self.bend(station, &before), self.bend(station, &u));
+            let [by_p, by_s] = bend_before.rate();
+            let change = by_p.dot(bend.r_x - bend_before.r_x) + by_s.dot(bend.r_xx - bend_before.r_xx);
+            let expected = bend_before.kappa() + change;
+            add_stiffness(station, &self.bending_stiffness(station, &bend, expected), &mut bending);
         }
-        K
+        self.matrix(&axial, &bending)
     }
 
     fn mean_force(&self, ends: &Ends<Vector8>) -> Vector8 {
-        let mut Q = Vector8::zeros();
-        for station in &self.axial {
-            let step = self.stretches(station, ends);
-            station.add_axial(station.weight * step.mean_force(self.EA) * step.rate(), &mut Q);
+        let u: [Quadratic<Pair>; 2] = self.shapes(ends).map(|shape| spread(&shape));
+        let mut Q = [Pair::ZERO; 3];
+        for pair in &self.axial_pairs {
+            let step = self.stretches(pair, &u, ends);
+            Cable::add_axial(pair, step.rate().times(pair.weight * step.mean_force(self.EA)), &mut Q);
         }
-        for station in &self.bending {
-            let step = self.bends(station, ends);
-            station.add_bending(station.weight * step.mean_moment(self.EI) * step.rate(), &mut Q);
+        for pair in &self.bending_pairs {
+            let step = self.bends(pair, &u);
+            let M = pair.weight * step.mean_moment(self.EI);
+            self.add_bending(pair, step.rate().map(|rate| rate.times(M)), &mut Q);
         }
-        Q
+        self.nodal_force(Q)
     }
 
     fn mean_tangent(&self, ends: &Ends<Vector8>) -> Matrix8 {
         let Cable { EA, EI, .. } = *self;
-        let mut K = Matrix8::zeros();
+        let u = self.shapes(ends);
+        let (mut axial, mut bending) = ([Block::ZERO; 5], [[[Block::ZERO; 5]; 2]; 2]);
         for station in &self.axial {
-            let step = self.stretches(station, ends);
-            let H = 0.5 * EA * step.rate() * step.end.rate().transpose() + step.mean_force(EA) * step.rate_rate();
-            station.add_axial_stiffness(&(station.weight * H), &mut K);
+            let step = self.stretches(station, &u, ends);
+            let w = station.weight;
+            let product = Block::outer(0.5, step.rate(), step.end.rate());
+            let H = product * (w * EA) + step.rate_rate() * (w * step.mean_force(EA));
+            add_moments(station.zeta, H, &mut axial);
         }
         for station in &self.bending {
-            let step = self.bends(station, ends);
-            let H = 0.5 * EI * step.rate() * step.end.rate().transpose() + step.mean_moment(EI) * step.rate_rate();
-            station.add_bending_stiffness(&(station.weight * H), &mut K);
+            let step = self.bends(station, &u);
+            let w = station.weight;
+            let product = outers(step.rate(), step.end.rate());
+            let H = combined(0.5 * w * EI, &product, w * step.mean_moment(EI), &step.rate_rate());
+            add_stiffness(station, &H, &mut bending);
         }
-        K
+        self.matrix(&axial, &bending)
     }
 
     fn heating_work(&self, ends: &Ends<Vector8>) -> f64 {
+        let u = self.shapes(ends);
         let change = ends.thermal_1[0] - ends.thermal_0[0];
-        let work = |station: &Station| -station.weight * self.stretches(station, ends).mean_force(self.EA) * change;
+        let work =
+            |station: &Station<f64>| -station.weight * self.stretches(station, &u, ends).mean_force(self.EA) * change;
         self.axial.iter().map(work).sum()
     }
 }
 
-/// A station of the axial strain at both ends of a step.
-struct StretchStep {
-    start: Stretch,
-    end: Stretch,
+/// A station of the axial strain, or two, at both ends of a step.
+struct StretchStep<V: Vector> {
+    start: Stretch<V>,
+    end: Stretch<V>,
     eps_T: [f64; 2],
 }
 
-impl StretchStep {
-    fn mean_force(&self, EA: f64) -> f64 {
-        0.5 * EA * (self.start.strain - self.eps_T[0] + self.end.strain - self.eps_T[1])
+impl<V: Vector> StretchStep<V> {
+    #[inline(always)]
+    fn mean_force(&self, EA: f64) -> V::Number {
+        let [half_EA, heat] = [0.5 * EA, self.eps_T[0] + self.eps_T[1]].map(V::Number::of);
+        half_EA * (self.start.strain + self.end.strain - heat)
     }
 
-    fn mean_r_x(&self) -> Vector2<f64> {
-        0.5 * (self.start.r_x + self.end.r_x)
+    #[inline(always)]
+    fn per_length(&self) -> V::Number {
+        V::Number::of(1.0) / (self.start.length + self.end.length)
     }
 
     /// Vector whose product with p₁ − p₀ is |r_x|₁ − |r_x|₀: 2 r̄_x/(|r_x|₀ + |r_x|₁), as |r_x|² changes by 2 r̄_x·(p₁ − p₀).
-    fn rate(&self) -> Vector2<f64> {
-        2.0 * self.mean_r_x() / (self.start.length + self.end.length)
+    #[inline(always)]
+    fn rate(&self) -> V {
+        (self.start.r_x + self.end.r_x).times(self.per_length())
     }
+}
 
+impl StretchStep<Vec2> {
     /// Its derivative with respect to p₁.
-    fn rate_rate(&self) -> Matrix2<f64> {
-        (Matrix2::identity() - self.rate() * self.end.rate().transpose()) / (self.start.length + self.end.length)
+    fn rate_rate(&self) -> Block {
+        (Block::identity(1.0) - Block::outer(1.0, self.rate(), self.end.rate())) * self.per_length()
     }
 }
 
-/// A station of the curvature at both ends of a step.
-struct BendStep {
-    start: Bend,
-    end: Bend,
+/// A station of the curvature, or two, at both ends of a step.
+struct BendStep<V: Vector> {
+    start: Bend<V>,
+    end: Bend<V>,
 }
 
-impl BendStep {
-    fn mean_moment(&self, EI: f64) -> f64 {
-        0.5 * EI * (self.start.kappa() + self.end.kappa())
+impl<V: Vector> BendStep<V> {
+    #[inline(always)]
+    fn mean_moment(&self, EI: f64) -> V::Number {
+        V::Number::of(0.5 * EI) * (self.start.kappa() + self.end.kappa())
     }
 
     /// The axis in the middle of the step; the cross product and the square averaged, not those of the middle.
-    fn middle(&self) -> Bend {
-        let BendStep { start, end } = self;
+    #[inline(always)]
+    fn middle(&self) -> Bend<V> {
+        let (BendStep { start, end }, half) = (self, V::Number::of(0.5));
+        let square = half * (start.square + end.square);
         Bend {
-            r_x: 0.5 * (start.r_x + end.r_x),
-            r_xx: 0.5 * (start.r_xx + end.r_xx),
-            cross: 0.5 * (start.cross + end.cross),
-            square: 0.5 * (start.square + end.square),
+            r_x: (start.r_x + end.r_x).times(half),
+            r_xx: (start.r_xx + end.r_xx).times(half),
+            cross: half * (start.cross + end.cross),
+            square,
+            inverse: V::Number::of(1.0) / square,
         }
+    }
+
+    /// 1/(q₀q₁) of the derivation below.
+    #[inline(always)]
+    fn per_squares(&self) -> V::Number {
+        self.start.inverse * self.end.inverse
     }
 
     /// Vector whose product with the change Δ of (p, s) is κ₁ − κ₀. With c = r_x × r_xx and q = |r_x|², both quadratic, so that
     /// their derivatives in the middle give Δc and Δq exactly: κ₁ − κ₀ = c₁/q₁ − c₀/q₀ = (q̄ Δc − c̄ Δq)/(q₀q₁).
-    fn rate(&self) -> Vector4<f64> {
-        let Bend { r_x, r_xx, cross, square } = self.middle();
-        stack(-square * turn(&r_xx) - 2.0 * cross * r_x, square * turn(&r_x)) / (self.start.square * self.end.square)
+    #[inline(always)]
+    fn rate(&self) -> Both<V> {
+        let Bend { r_x, r_xx, cross, square, .. } = self.middle();
+        [-r_xx.turn().times(square) - r_x.times(cross + cross), r_x.turn().times(square)]
+            .map(|rate| rate.times(self.per_squares()))
     }
+}
 
+impl BendStep<Vec2> {
     /// Its derivative with respect to (p₁, s₁), from rate · q₀q₁ differentiated.
-    fn rate_rate(&self) -> Matrix4<f64> {
-        let Bend { r_x, r_xx, cross, square } = self.middle();
+    fn rate_rate(&self) -> Blocks {
+        let Bend { r_x, r_xx, cross, square, .. } = self.middle();
         // ∂q₁ = 2 r_x1, ∂c₁; the averages change by half of that, and so do r_x and r_xx.
-        let square_1 = stack(2.0 * self.end.r_x, Vector2::zeros());
-        let cross_1 = stack(-turn(&self.end.r_xx), turn(&self.end.r_x));
-        let cross_rate = stack(-turn(&r_xx), turn(&r_x));
-        let square_rate = stack(2.0 * r_x, Vector2::zeros());
-        let mut H = 0.5 * (cross_rate * square_1.transpose() - square_rate * cross_1.transpose());
-        H += 0.5 * square * cross_rate_rate();
-        H[(0, 0)] -= cross;
-        H[(1, 1)] -= cross;
-        (H - self.rate() * (self.start.square * square_1).transpose()) / (self.start.square * self.end.square)
+        let square_1 = [self.end.r_x * 2.0, Vec2::ZERO];
+        let cross_1 = [-self.end.r_xx.turn(), self.end.r_x.turn()];
+        let cross_rate = [-r_xx.turn(), r_x.turn()];
+        let square_rate = [r_x * 2.0, Vec2::ZERO];
+        let mut H = combined(0.5, &outers(cross_rate, square_1), -0.5, &outers(square_rate, cross_1));
+        H = combined(1.0, &H, 0.5 * square, &cross_rate_rate());
+        H[0][0] = H[0][0] - Block::identity(cross);
+        let product = outers(self.rate(), square_1);
+        combined(self.per_squares(), &H, -self.start.square * self.per_squares(), &product)
     }
 }
 
 impl Cable {
-    fn stretches(&self, station: &Station, ends: &Ends<Vector8>) -> StretchStep {
-        let (start, end) = (self.stretch(station, ends.u_0), self.stretch(station, ends.u_1));
+    /// The shapes of both ends of a step.
+    #[inline(always)]
+    fn shapes(&self, ends: &Ends<Vector8>) -> [Quadratic<Vec2>; 2] {
+        [ends.u_0, ends.u_1].map(|u| self.shape(u))
+    }
+
+    #[inline(always)]
+    fn stretches<V: Vector>(
+        &self,
+        station: &Station<V::Number>,
+        [u_0, u_1]: &[Quadratic<V>; 2],
+        ends: &Ends<Vector8>,
+    ) -> StretchStep<V> {
+        let (start, end) = (self.stretch(station, u_0), self.stretch(station, u_1));
         StretchStep { start, end, eps_T: [ends.thermal_0[0], ends.thermal_1[0]] }
     }
 
-    fn bends(&self, station: &Station, ends: &Ends<Vector8>) -> BendStep {
-        BendStep { start: self.bend(station, ends.u_0), end: self.bend(station, ends.u_1) }
+    #[inline(always)]
+    fn bends<V: Vector>(&self, station: &Station<V::Number>, [u_0, u_1]: &[Quadratic<V>; 2]) -> BendStep<V> {
+        BendStep { start: self.bend(station, u_0), end: self.bend(station, u_1) }
     }
 }

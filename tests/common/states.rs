@@ -27,6 +27,19 @@ pub fn assert_within(what: &str, actual: &[f64], expected: &[f64], scale: &[f64]
     assert!(close, "{what}: off by {ratio:.1e} of its scale; allowed {TOLERANCE:.1e}");
 }
 
+/// Forces and tangent within 1e-13 of their scales; how far they are, of their scales and of the largest entry.
+#[track_caller]
+pub fn compared(actual: [&[f64]; 2], expected: [&[f64]; 2], scale: [&[f64]; 2]) -> [f64; 4] {
+    let mut ratios = [0.0; 4];
+    for n in 0..2 {
+        assert!(within(1e-13, actual[n], expected[n], scale[n]), "{:?} for {:?}", actual[n], expected[n]);
+        let largest = expected[n].iter().fold(f64::MIN_POSITIVE, |most, entry| most.max(entry.abs()));
+        ratios[n] = worst_ratio(actual[n], expected[n], scale[n]);
+        ratios[n + 2] = worst_ratio(actual[n], expected[n], &vec![largest; actual[n].len()]);
+    }
+    ratios
+}
+
 /// Places of the positions among the seven vectors of (4); the others are slopes.
 pub const POSITIONS: [usize; 3] = [0, 2, 5];
 
