@@ -9,7 +9,8 @@
 //!   no mass, no elastic force and no displacement: their entries of u, v and a are zero, those of a load or a residual
 //!   are constraint rows, and those of a solution are λ.
 //!
-//! Either way the matrices have one block a rod, bordered by what rods share ([`Bordered`]).
+//! Either way the matrices have one block a rod, bordered by what rods share: eliminated element by element in the condensed
+//! form ([`Chains`]), as a whole beside multipliers ([`Bordered`]).
 
 mod build;
 mod constraints;
@@ -24,12 +25,13 @@ mod unknowns;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::{DVector, Vector2};
+use nalgebra::{Complex, DVector, Vector2};
 
 use self::mesh::{Components, ElementMatrix};
 use self::rod::Rod;
 use crate::kernel::{Ends, ThermalStrain};
-use crate::linear::{Bordered, BorderedLu, Filling, Layout, SingularAt};
+use crate::linear::{Bordered, BorderedLu, Chain, Chains, Filling, Layout, Number, SingularAt};
+use crate::plan::Plan;
 use crate::scene::Force;
 
 pub use probes::Instant;
@@ -71,14 +73,19 @@ struct ConstraintRow {
 /// A structure ready for statics and dynamics.
 #[derive(Clone, Debug)]
 pub struct Structure {
-    rods: Vec<Rod>,
+    plan: Plan,
+    rods: Arc<[Rod]>,
     kinds: Vec<Kind>,
+    /// One over the length over which an unknown's force is judged; 0 for multipliers.
+    weights: DVector<f64>,
     points: BTreeMap<String, Point>,
     /// There are none in the condensed form.
     rows: Vec<ConstraintRow>,
     layout: Arc<Layout>,
     gravity: DVector<f64>,
     forces: Vec<Force>,
+    /// Where they act.
+    force_places: Vec<Components>,
     start: DVector<f64>,
     /// Statics: loads and heat grow with a factor in place of time.
     grows: bool,
@@ -91,6 +98,82 @@ pub struct Structure {
 /// Both ends of a step, with the thermal strains of the rods.
 pub type StepEnds<'a> = Ends<'a, DVector<f64>, &'a [ThermalStrain]>;
 
+/// Entries of the largest element's matrix.
+const MOST_ENTRIES: usize = 14 * 14;
+
+/// A matrix that is factorised.
+#[derive(Debug)]
+pub enum Matrix<'a> {
+    /// M, with the constraints where there are multipliers.
+    Mass,
+    /// `stiffness` · (tangent, with the constraints' forces where there are multipliers) + `mass` · M.
+    Tangent {
+        /// Displacement.
+        u: &'a DVector<f64>,
+        /// Thermal strains of the rods.
+        thermal: &'a [ThermalStrain],
+        /// Factor of the tangent.
+        stiffness: f64,
+        /// Factor of M.
+        mass: f64,
+    },
+    /// The tangent of Newton's iteration with independent stresses: those that it expected when it went from `before` to `u`
+    /// ([`Beam::mixed_tangent`](crate::kernel::Beam::mixed_tangent)).
+    Mixed {
+        /// Displacement before the last iteration.
+        before: &'a DVector<f64>,
+        /// Displacement.
+        u: &'a DVector<f64>,
+        /// Thermal strains of the rods.
+        thermal: &'a [ThermalStrain],
+    },
+    /// The derivative of [`mean_force`](Structure::mean_force) with respect to `u_1`, + `mass` · M.
+    Mean {
+        /// The step.
+        ends: StepEnds<'a>,
+        /// Factor of M.
+        mass: f64,
+    },
+}
+
+impl<'a> Matrix<'a> {
+    fn of_rod(&self, rod: usize) -> ElementMatrix<'a> {
+        match *self {
+            Matrix::Mass => ElementMatrix::Mass,
+            Matrix::Tangent { u, thermal, stiffness, mass } => {
+                ElementMatrix::Tangent { u, eps_t: thermal[rod], stiffness, mass }
+            }
+            Matrix::Mixed { before, u, thermal } => ElementMatrix::Mixed { before, u, eps_t: thermal[rod] },
+            Matrix::Mean { ref ends, mass } => ElementMatrix::Mean { ends: of_rod(ends, rod), mass },
+        }
+    }
+
+    /// The factor of Φ_qᵀ beside it.
+    fn constraint_factor(&self) -> f64 {
+        if let Matrix::Tangent { stiffness, .. } = self { *stiffness } else { 1.0 }
+    }
+}
+
+/// LU factors of a structure's matrix, or memory for them.
+#[derive(Debug)]
+pub enum Factors {
+    /// In the condensed form.
+    Chains(Chains),
+    /// With multipliers.
+    Bordered(Option<BorderedLu>),
+}
+
+impl Factors {
+    /// Solves A x = b in place. Without factors the solution is not a number.
+    pub fn solve(&self, b: &mut DVector<f64>) {
+        match self {
+            Factors::Chains(chains) => chains.solve(b),
+            Factors::Bordered(Some(factors)) => factors.solve(b),
+            Factors::Bordered(None) => b.fill(f64::NAN),
+        }
+    }
+}
+
 impl Structure {
     /// Number of unknowns, multipliers among them.
     pub fn size(&self) -> usize {
@@ -99,7 +182,10 @@ impl Structure {
 
     /// Memory that one matrix with its factors takes, bytes.
     pub fn matrix_bytes(&self) -> usize {
-        self.layout.bytes()
+        match self.factors() {
+            Factors::Chains(chains) => chains.bytes(),
+            Factors::Bordered(_) => self.layout.bytes(),
+        }
     }
 
     /// Displacement at t = 0: zero, or the stress-free one of a relaxed start.
@@ -115,8 +201,14 @@ impl Structure {
     /// Its product with an acceleration (or a velocity), without the matrix.
     pub fn inertia(&self, a: &DVector<f64>) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
-        self.rods.iter().for_each(|rod| rod.mesh.add_inertia(&rod.chain, a, &mut sum));
+        self.inertia_into(a, &mut sum);
         sum
+    }
+
+    /// The same into `sum`.
+    pub fn inertia_into(&self, a: &DVector<f64>, sum: &mut DVector<f64>) {
+        sum.fill(0.0);
+        self.rods.iter().for_each(|rod| rod.mesh.add_inertia(a, sum));
     }
 
     /// Generalized force of gravity, constant.
@@ -124,51 +216,104 @@ impl Structure {
         &self.gravity
     }
 
-    /// Generalized force of the point forces at time `t`.
-    pub fn point_forces(&self, t: f64) -> DVector<f64> {
-        let mut sum = DVector::zeros(self.size());
-        for force in &self.forces {
-            self.components(&force.point).add(&Vector2::from(force.at(t)), &mut sum);
+    /// Adds `factor` · the generalized force of the point forces at time `t`.
+    pub fn add_point_forces(&self, t: f64, factor: f64, sum: &mut DVector<f64>) {
+        for (force, place) in self.forces.iter().zip(&self.force_places) {
+            place.add(&(factor * Vector2::from(force.at(t))), sum);
         }
-        sum
     }
 
     /// All external forces at time `t`, in statics at the load factor `t`.
     pub fn load(&self, t: f64) -> DVector<f64> {
-        let load = if self.forces.is_empty() { self.gravity.clone() } else { &self.gravity + self.point_forces(t) };
-        if self.grows { load * t } else { load }
+        let mut sum = DVector::zeros(self.size());
+        self.load_into(t, &mut sum);
+        sum
+    }
+
+    /// The same into `sum`.
+    pub fn load_into(&self, t: f64, sum: &mut DVector<f64>) {
+        if self.plan.weight {
+            sum.copy_from(&self.gravity);
+        } else {
+            sum.fill(0.0);
+        }
+        self.add_point_forces(t, 1.0, sum);
+        if self.grows {
+            *sum *= t;
+        }
     }
 
     /// Thermal strain (along, across) of each rod at time `t`, in statics at the load factor `t`.
     pub fn thermal_strains(&self, t: f64) -> Vec<ThermalStrain> {
-        let strain =
-            |rod: &Rod| if self.grows { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) };
-        self.rods.iter().map(strain).collect()
+        self.rods.iter().map(|rod| self.thermal_strain(rod, t)).collect()
+    }
+
+    /// The same into `thermal`, which has a place for each rod and was given by [`thermal_strains`](Structure::thermal_strains).
+    pub fn thermal_strains_into(&self, t: f64, thermal: &mut [ThermalStrain]) {
+        if !self.plan.heat {
+            return;
+        }
+        for (rod, thermal) in self.rods.iter().zip(thermal) {
+            *thermal = self.thermal_strain(rod, t);
+        }
+    }
+
+    fn thermal_strain(&self, rod: &Rod, t: f64) -> ThermalStrain {
+        if !self.plan.heat {
+            return [0.0; 2];
+        }
+        if self.grows { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) }
     }
 
     /// A force vector's largest entry, N, moments taken over their own length (h or l); constraint rows are no forces.
     pub fn largest(&self, force: &DVector<f64>) -> f64 {
-        let entries = force.iter().zip(&self.kinds).map(|(value, kind)| match kind {
-            Kind::Position => value.abs(),
-            Kind::Slope(length) => value.abs() / length,
-            Kind::Multiplier => 0.0,
-        });
-        // `f64::max` would drop a NaN.
-        entries.fold(0.0, |largest, value| if value > largest || value.is_nan() { value } else { largest })
+        // Four at a time: one after the other they would wait for one another.
+        let (mut largest, mut sum) = ([0.0; 4], [0.0; 4]);
+        let mut look_at = |values: &[f64], weights: &[f64]| {
+            for (n, (value, weight)) in values.iter().zip(weights).enumerate() {
+                let value = (value * weight).abs();
+                largest[n] = if value > largest[n] { value } else { largest[n] };
+                sum[n] += value;
+            }
+        };
+        let (values, last) = force.as_slice().as_chunks::<4>();
+        let (weights, last_weights) = self.weights.as_slice().as_chunks::<4>();
+        values.iter().zip(weights).for_each(|(values, weights)| look_at(values, weights));
+        look_at(last, last_weights);
+        // A comparison drops a NaN; a sum does not.
+        let sum = sum.iter().sum::<f64>();
+        if sum.is_nan() { sum } else { largest.into_iter().fold(0.0, f64::max) }
     }
 
-    /// Whether no entry of a residual at `u` and time `t` is above `times` the rounding error of the elastic forces.
+    /// A displacement's largest entry, m: of positions, and of slopes times the length over which they act.
+    pub fn farthest(&self, u: &DVector<f64>) -> f64 {
+        let size = |(u, kind): (&f64, &Kind)| match kind {
+            Kind::Position => u.abs(),
+            Kind::Slope(length) => u.abs() * length,
+            Kind::Multiplier => 0.0,
+        };
+        u.iter().zip(&self.kinds).map(size).fold(0.0, |largest, size| if size <= largest { largest } else { size })
+    }
+
+    /// Whether no entry of a residual at `u` and the rods' thermal strains is above `times` the rounding error of the elastic
+    /// forces.
     ///
     /// A strain is made of differences of u over an element's length l, of slopes and of the thermal strain: it carries
     /// ε_mach times the largest of |u|/l, |slope| and |ε_T|, and a force that strain's share of the force of a unit strain.
-    pub fn within_rounding(&self, residual: &DVector<f64>, u: &DVector<f64>, t: f64, times: f64) -> bool {
+    pub fn within_rounding(
+        &self,
+        residual: &DVector<f64>,
+        u: &DVector<f64>,
+        thermal: &[ThermalStrain],
+        times: f64,
+    ) -> bool {
         let size = |(u, kind): (&f64, &Kind)| match kind {
             Kind::Position => u.abs() / self.shortest,
             Kind::Slope(_) => u.abs(),
             // During an iteration λ stands in its place: newtons, no strain.
             Kind::Multiplier => 0.0,
         };
-        let heat = self.thermal_strains(t).into_iter().flatten().map(f64::abs).fold(0.0, f64::max);
+        let heat = thermal.iter().flatten().map(|strain| strain.abs()).fold(0.0, f64::max);
         let size = u.iter().zip(&self.kinds).map(size).fold(heat, f64::max);
         let floor = times * f64::EPSILON * size;
         let mut entries = residual.iter().zip(&self.unit_forces).zip(&self.kinds);
@@ -186,7 +331,7 @@ impl Structure {
     pub fn force(&self, u: &DVector<f64>, thermal: &[ThermalStrain], sum: &mut DVector<f64>) {
         sum.fill(0.0);
         for (rod, eps_t) in self.rods.iter().zip(thermal) {
-            rod.mesh.add_force(&rod.chain, u, *eps_t, sum);
+            rod.mesh.add_force(u, *eps_t, sum);
         }
     }
 
@@ -195,99 +340,98 @@ impl Structure {
         self.assemble_matrix(|n| ElementMatrix::Tangent { u, eps_t: thermal[n], stiffness: 1.0, mass: 0.0 })
     }
 
-    /// LU factors of `stiffness` · (tangent, with the constraints' forces where there are multipliers) + `mass` · M. `old` ones
-    /// give their memory, here and below.
+    /// Memory for factors of its matrices.
+    pub fn factors(&self) -> Factors {
+        if self.rows.is_empty() {
+            let chains = self.each_rod(|rod, touches| rod.mesh.chain(self.layout.border, touches));
+            Factors::Chains(self.chains(chains))
+        } else {
+            Factors::Bordered(None)
+        }
+    }
+
+    /// Memory for the factors of complex matrices; in the condensed form only.
+    pub fn complex_factors(&self) -> Chains<Complex<f64>> {
+        self.chains(self.each_rod(|rod, touches| rod.mesh.complex_chain(self.layout.border, touches)))
+    }
+
+    fn each_rod<T>(&self, of: impl Fn(&Rod, &[usize]) -> T) -> Vec<T> {
+        self.rods.iter().zip(&self.layout.blocks).map(|(rod, block)| of(rod, &block.touches)).collect()
+    }
+
+    fn chains<F: Number>(&self, chains: Vec<Box<dyn Chain<F>>>) -> Chains<F> {
+        Chains::new(chains, self.layout.border, self.layout.border_size, self.layout.border_band)
+    }
+
+    /// LU factors of a matrix.
     ///
     /// # Errors
     /// The unknown with a vanishing pivot; [`place`](Structure::place) says where that is.
-    pub fn tangent_factors(
-        &self,
-        u: &DVector<f64>,
-        thermal: &[ThermalStrain],
-        [stiffness, mass]: [f64; 2],
-        old: Option<BorderedLu>,
-    ) -> Result<BorderedLu, SingularAt> {
-        self.factors(|n| ElementMatrix::Tangent { u, eps_t: thermal[n], stiffness, mass }, stiffness, old)
-    }
-
-    /// LU factors of the tangent for Newton's iteration with independent stresses: those that the iteration expected when it
-    /// went from `before` to `u` ([`Beam::mixed_tangent`](crate::kernel::Beam::mixed_tangent)).
-    ///
-    /// # Errors
-    /// Those of [`tangent_factors`](Structure::tangent_factors).
-    pub fn mixed_tangent_factors(
-        &self,
-        before: &DVector<f64>,
-        u: &DVector<f64>,
-        thermal: &[ThermalStrain],
-        old: Option<BorderedLu>,
-    ) -> Result<BorderedLu, SingularAt> {
-        self.factors(|n| ElementMatrix::Mixed { before, u, eps_t: thermal[n] }, 1.0, old)
-    }
-
-    /// LU factors of the derivative of [`mean_force`](Structure::mean_force) with respect to `u_1`, + `mass` · M.
-    ///
-    /// # Errors
-    /// Those of [`tangent_factors`](Structure::tangent_factors).
-    pub fn mean_tangent_factors(
-        &self,
-        step: &StepEnds,
-        mass: f64,
-        old: Option<BorderedLu>,
-    ) -> Result<BorderedLu, SingularAt> {
-        self.factors(|n| ElementMatrix::Mean { ends: of_rod(step, n), mass }, 1.0, old)
-    }
-
-    /// LU factors of the mass matrix, with the constraints where there are multipliers.
-    ///
-    /// # Errors
-    /// Those of [`tangent_factors`](Structure::tangent_factors).
-    pub fn mass_factors(&self) -> Result<BorderedLu, SingularAt> {
-        self.factors(|_| ElementMatrix::Mass, 1.0, None)
-    }
-
-    /// LU factors of a matrix, asked for by the number of a rod; `constraint` is the factor of Φ_qᵀ beside it.
-    fn factors<'a>(
-        &self,
-        matrix: impl Fn(usize) -> ElementMatrix<'a>,
-        constraint: f64,
-        old: Option<BorderedLu>,
-    ) -> Result<BorderedLu, SingularAt> {
-        if self.rows.is_empty() {
-            return Bordered::lu_block_by_block(&self.layout, old, |n, block| self.fill(n, &matrix(n), block));
+    pub fn factorize(&self, matrix: Matrix, factors: &mut Factors) -> Result<(), SingularAt> {
+        match factors {
+            Factors::Chains(chains) => chains.factorize(|rod, element, columns| {
+                self.rods[rod].mesh.matrix(element, &matrix.of_rod(rod), columns);
+            }),
+            // Where coordinates stand beside multipliers, rows and columns of all blocks have to be scaled first.
+            Factors::Bordered(factors) => {
+                let mut sum = self.assemble_matrix(|rod| matrix.of_rod(rod));
+                self.add_constraints(matrix.constraint_factor(), &mut sum);
+                *factors = Some(sum.equilibrated_lu()?);
+                Ok(())
+            }
         }
-        // Where coordinates stand beside multipliers, rows and columns of all blocks have to be scaled first.
-        let mut matrix = self.assemble_matrix(matrix);
-        self.add_constraints(constraint, &mut matrix);
-        matrix.equilibrated_lu()
+    }
+
+    /// LU factors of M + `stiffness` · tangent for a complex `stiffness`, in the condensed form.
+    ///
+    /// # Errors
+    /// Those of [`factorize`](Structure::factorize).
+    pub fn factorize_complex(
+        &self,
+        u: &DVector<f64>,
+        thermal: &[ThermalStrain],
+        stiffness: Complex<f64>,
+        factors: &mut Chains<Complex<f64>>,
+    ) -> Result<(), SingularAt> {
+        factors.factorize(|rod, element, columns| {
+            let mesh = &self.rods[rod].mesh;
+            let mut real = [0.0; MOST_ENTRIES];
+            let real = &mut real[..columns.len()];
+            let tangent = ElementMatrix::Tangent { u, eps_t: thermal[rod], stiffness: 1.0, mass: 0.0 };
+            mesh.matrix(element, &tangent, real);
+            columns.iter_mut().zip(&*real).for_each(|(entry, real)| *entry = stiffness * *real);
+            mesh.matrix(element, &ElementMatrix::Mass, real);
+            columns.iter_mut().zip(&*real).for_each(|(entry, real)| *entry += *real);
+        })
     }
 
     /// Adds the matrices of a rod's elements to its block.
     fn fill(&self, n: usize, matrix: &ElementMatrix, block: &mut Filling) {
-        self.rods[n].mesh.add_matrix(&self.rods[n].chain, matrix, block);
+        self.rods[n].mesh.add_matrix(matrix, block);
     }
 
     /// Step-averaged elastic forces of the energy–momentum rule into `sum`.
     pub fn mean_force(&self, step: &StepEnds, sum: &mut DVector<f64>) {
         sum.fill(0.0);
         for (n, rod) in self.rods.iter().enumerate() {
-            rod.mesh.add_mean_force(&rod.chain, &of_rod(step, n), sum);
+            rod.mesh.add_mean_force(&of_rod(step, n), sum);
         }
     }
 
     /// Strain energy, J.
     pub fn strain_energy(&self, u: &DVector<f64>, thermal: &[ThermalStrain]) -> f64 {
-        self.rods.iter().zip(thermal).map(|(rod, eps_t)| rod.mesh.energy(&rod.chain, u, *eps_t)).sum()
+        self.rods.iter().zip(thermal).map(|(rod, eps_t)| rod.mesh.energy(u, *eps_t)).sum()
     }
 
-    /// Kinetic energy of velocities `v`, J.
-    pub fn kinetic_energy(&self, v: &DVector<f64>) -> f64 {
-        0.5 * v.dot(&self.inertia(v))
+    /// Kinetic energy of velocities `v`, J; `momentum` is memory.
+    pub fn kinetic_energy(&self, v: &DVector<f64>, momentum: &mut DVector<f64>) -> f64 {
+        self.inertia_into(v, momentum);
+        0.5 * v.dot(momentum)
     }
 
     /// Energy that heating puts in over a step, J.
     pub fn heating_work(&self, step: &StepEnds) -> f64 {
-        self.rods.iter().enumerate().map(|(n, rod)| rod.mesh.heating_work(&rod.chain, &of_rod(step, n))).sum()
+        self.rods.iter().enumerate().map(|(n, rod)| rod.mesh.heating_work(&of_rod(step, n))).sum()
     }
 
     /// Where an unknown is, in words.

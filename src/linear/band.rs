@@ -3,38 +3,43 @@
 //! A rod's matrices couple neighbours only, so elimination inside the band costs O(n b²) for n unknowns.
 
 use super::SingularAt;
+use super::chain::Number;
 
 /// Right-hand sides that are solved together: a rod with two pinned ends and a pivot shares six coordinates.
 const SIDE_BY_SIDE: usize = 6;
 
 /// A square matrix whose entries (i, j) vanish for |i − j| > `band`.
 #[derive(Clone, Debug)]
-pub struct BandMatrix {
+pub struct BandMatrix<F = f64> {
     size: usize,
     band: usize,
     /// Row i holds columns i − band … i + 2 band; the last `band` of them are room for pivoting.
-    entries: Vec<f64>,
+    entries: Vec<F>,
+    /// Memory of the last factors' lists.
+    pivots: Vec<usize>,
+    ends: Vec<usize>,
 }
 
 /// The LU factors of a [`BandMatrix`].
 #[derive(Clone, Debug)]
-pub struct BandLu {
-    factors: BandMatrix,
+pub struct BandLu<F = f64> {
+    factors: BandMatrix<F>,
     /// Row that changed places with row k at step k.
     pivots: Vec<usize>,
     /// Where row k of the upper factor ends: at k + band + 1, or further after rows have changed places.
     ends: Vec<usize>,
 }
 
-impl BandMatrix {
+impl<F: Number> BandMatrix<F> {
     /// A zero matrix of `size` rows with `band` diagonals on either side of the main one.
-    pub fn zeros(size: usize, band: usize) -> BandMatrix {
-        BandMatrix { size, band, entries: vec![0.0; size * (3 * band + 1)] }
+    pub fn zeros(size: usize, band: usize) -> BandMatrix<F> {
+        let entries = vec![F::zero(); size * (3 * band + 1)];
+        BandMatrix { size, band, entries, pivots: Vec::with_capacity(size), ends: Vec::with_capacity(size) }
     }
 
     /// Memory that such a matrix takes, bytes.
     pub fn bytes(size: usize, band: usize) -> usize {
-        size.saturating_mul(3 * band + 1).saturating_mul(size_of::<f64>())
+        size.saturating_mul(3 * band + 1).saturating_mul(size_of::<F>())
     }
 
     fn place(&self, row: usize, column: usize) -> usize {
@@ -42,20 +47,20 @@ impl BandMatrix {
     }
 
     /// Adds `value` to the entry at (row, column), which must lie inside the band.
-    pub fn add(&mut self, row: usize, column: usize, value: f64) {
+    pub fn add(&mut self, row: usize, column: usize, value: F) {
         debug_assert!(row.abs_diff(column) <= self.band, "({row}, {column}) lies outside the band");
         let place = self.place(row, column);
         self.entries[place] += value;
     }
 
     /// Adds `factor` · `other`, a matrix of the same shape.
-    pub fn add_scaled(&mut self, factor: f64, other: &BandMatrix) {
+    pub fn add_scaled(&mut self, factor: F, other: &BandMatrix<F>) {
         debug_assert_eq!((self.size, self.band), (other.size, other.band));
         for row in 0..self.size {
             // Without the room for pivoting, which is a third of the entries.
             let entries = self.entries_of(row);
             for (a, b) in self.entries[entries.clone()].iter_mut().zip(&other.entries[entries]) {
-                *a += factor * b;
+                *a += factor * *b;
             }
         }
     }
@@ -73,16 +78,16 @@ impl BandMatrix {
     }
 
     /// Entries of each row with their columns, for what has to look at them all.
-    pub fn row(&self, row: usize) -> impl Iterator<Item = (usize, f64)> {
+    pub fn row(&self, row: usize) -> impl Iterator<Item = (usize, F)> {
         self.columns(row).zip(self.entries[self.entries_of(row)].iter().copied())
     }
 
     /// Multiplies row i by `rows[i]` and column j by `columns[j]`.
-    pub fn scale_each(&mut self, rows: &[f64], columns: &[f64]) {
+    pub fn scale_each(&mut self, rows: &[F], columns: &[F]) {
         for (row, factor) in rows.iter().enumerate() {
             let (range, entries) = (self.columns(row), self.entries_of(row));
             for (entry, column) in self.entries[entries].iter_mut().zip(&columns[range]) {
-                *entry *= factor * column;
+                *entry *= *factor * *column;
             }
         }
     }
@@ -91,15 +96,17 @@ impl BandMatrix {
     ///
     /// # Errors
     /// A pivot that is zero, or not a number.
-    pub fn lu(mut self) -> Result<BandLu, SingularAt> {
+    pub fn lu(mut self) -> Result<BandLu<F>, SingularAt> {
         let (size, band) = (self.size, self.band);
-        let (mut pivots, mut ends) = (Vec::with_capacity(size), Vec::with_capacity(size));
+        let (mut pivots, mut ends) = (std::mem::take(&mut self.pivots), std::mem::take(&mut self.ends));
+        pivots.clear();
+        ends.clear();
         let mut right = 0;
         for k in 0..size {
             let below = (k + band + 1).min(size);
             let mut pivot = k;
             for row in k + 1..below {
-                if self.entries[self.place(row, k)].abs() > self.entries[self.place(pivot, k)].abs() {
+                if self.entries[self.place(row, k)].norm1() > self.entries[self.place(pivot, k)].norm1() {
                     pivot = row;
                 }
             }
@@ -111,7 +118,7 @@ impl BandMatrix {
                 }
             }
             let diagonal = self.entries[self.place(k, k)];
-            if diagonal == 0.0 || !diagonal.is_finite() {
+            if diagonal.is_zero() || !diagonal.is_finite() {
                 return Err(SingularAt(k));
             }
             let (source, width) = (self.place(k, k), right - k);
@@ -119,10 +126,10 @@ impl BandMatrix {
                 let target = self.place(row, k);
                 let factor = self.entries[target] / diagonal;
                 self.entries[target] = factor;
-                if factor != 0.0 {
+                if !factor.is_zero() {
                     let (upper, lower) = self.entries.split_at_mut(target);
                     for (a, b) in lower[1..width].iter_mut().zip(&upper[source + 1..source + width]) {
-                        *a -= factor * b;
+                        *a -= factor * *b;
                     }
                 }
             }
@@ -133,28 +140,29 @@ impl BandMatrix {
     }
 }
 
-impl BandLu {
+impl<F: Number> BandLu<F> {
     /// A zero matrix of the same shape in the same memory.
-    pub fn into_zeros(mut self) -> BandMatrix {
-        self.factors.entries.fill(0.0);
-        self.factors
+    pub fn into_zeros(self) -> BandMatrix<F> {
+        let BandLu { mut factors, pivots, ends } = self;
+        factors.entries.fill(F::zero());
+        BandMatrix { pivots, ends, ..factors }
     }
 
     /// Solves A x = b in place.
-    pub fn solve(&self, b: &mut [f64]) {
+    pub fn solve(&self, b: &mut [F]) {
         self.solve_side_by_side(b.as_chunks_mut::<1>().0);
     }
 
     /// Solves A X = B in place, for a matrix B stored by columns: the same numbers as [`solve`](BandLu::solve) for one column
     /// after the other, in less time.
-    pub fn solve_columns(&self, columns: &mut [f64]) {
+    pub fn solve_columns(&self, columns: &mut [F]) {
         let size = self.factors.size;
         if size == 0 {
             return;
         }
-        let mut rows = vec![[0.0; SIDE_BY_SIDE]; size];
+        let mut rows = vec![[F::zero(); SIDE_BY_SIDE]; size];
         for columns in columns.chunks_mut(SIDE_BY_SIDE * size) {
-            rows.fill([0.0; SIDE_BY_SIDE]);
+            rows.fill([F::zero(); SIDE_BY_SIDE]);
             for (n, column) in columns.chunks(size).enumerate() {
                 rows.iter_mut().zip(column).for_each(|(row, value)| row[n] = *value);
             }
@@ -165,8 +173,8 @@ impl BandLu {
         }
     }
 
-    fn solve_side_by_side<const N: usize>(&self, b: &mut [[f64; N]]) {
-        let BandMatrix { size, band, entries } = &self.factors;
+    fn solve_side_by_side<const N: usize>(&self, b: &mut [[F; N]]) {
+        let BandMatrix { size, band, entries, .. } = &self.factors;
         for k in 0..*size {
             b.swap(k, self.pivots[k]);
             let known = b[k];
@@ -179,9 +187,9 @@ impl BandLu {
             let start = self.factors.place(k, k);
             let width = self.ends[k] - k;
             // Sums begin at −0, as those of iterators do.
-            let mut known = [-0.0; N];
+            let mut known = [-F::zero(); N];
             for (factor, b) in entries[start + 1..start + width].iter().zip(&b[k + 1..k + width]) {
-                known.iter_mut().zip(b).for_each(|(known, b)| *known += factor * b);
+                known.iter_mut().zip(b).for_each(|(known, b)| *known += *factor * *b);
             }
             b[k].iter_mut().zip(known).for_each(|(b, known)| *b = (*b - known) / entries[start]);
         }

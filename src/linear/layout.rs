@@ -38,9 +38,9 @@ impl Layout {
     pub fn bytes(&self) -> usize {
         let block = |block: &BlockLayout| {
             let wide = block.size.saturating_mul(2 * block.touches.len()).saturating_mul(size_of::<f64>());
-            BandMatrix::bytes(block.size, block.band).saturating_add(wide)
+            BandMatrix::<f64>::bytes(block.size, block.band).saturating_add(wide)
         };
-        let corner = BandMatrix::bytes(self.border_size, self.border_band);
+        let corner = BandMatrix::<f64>::bytes(self.border_size, self.border_band);
         self.blocks.iter().map(block).fold(corner, usize::saturating_add)
     }
 }

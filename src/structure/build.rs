@@ -11,6 +11,7 @@ use super::rod::Rod;
 use super::unknowns::{Numbering, condensed, with_multipliers};
 use super::{Kind, Node, Point, Structure, mobility};
 use crate::error::{Error, Result};
+use crate::plan::Plan;
 use crate::scene::{Constraints, Method, Scene, Start};
 
 /// More memory than this for one matrix, in bytes, is refused: a structure that needs it is not a few rods.
@@ -23,7 +24,15 @@ impl Structure {
     /// [`Error::TooLarge`] where the matrices would not fit into memory; [`Error::Drifts`] for statics of a structure
     /// that can move without a strain.
     pub fn new(scene: &Scene) -> Result<Structure> {
-        let mut rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod)).collect();
+        Structure::planned(scene, &Plan::of(scene))
+    }
+
+    /// The same with a plan that computes more than the scene needs.
+    ///
+    /// # Errors
+    /// Those of [`new`](Structure::new).
+    pub fn planned(scene: &Scene, plan: &Plan) -> Result<Structure> {
+        let mut rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, plan)).collect();
         let points = points(scene, &rods);
         if scene.time.method == Method::Static {
             mobility::check(scene, &points, &rods)?;
@@ -33,22 +42,28 @@ impl Structure {
             Constraints::Multipliers => with_multipliers(rows(scene, &points), &mut rods),
         };
         let Numbering { layout, kinds, rows } = numbering;
+        rods.iter_mut().for_each(|rod| rod.mesh.number(&rod.chain));
         let size = layout.size();
-        check_memory(size, layout.border_band, layout.bytes())?;
+        let eliminated: usize = rods.iter().map(|rod| rod.elements.saturating_mul(rod.mesh.bytes_each())).sum();
+        check_memory(size, layout.border_band, layout.bytes().saturating_add(eliminated))?;
         let mut structure = Structure {
+            plan: *plan,
             shortest: rods.iter().map(|rod| rod.along.norm()).fold(f64::INFINITY, f64::min),
-            rods,
+            weights: DVector::from_iterator(kinds.len(), kinds.iter().map(Kind::weight)),
+            rods: rods.into(),
             kinds,
             points,
             rows,
             layout: Arc::new(layout),
             gravity: DVector::zeros(size),
             forces: scene.forces.clone(),
+            force_places: Vec::new(),
             start: DVector::zeros(size),
             grows: scene.time.method == Method::Static,
             unit_forces: DVector::zeros(size),
         };
-        structure.rods.iter().for_each(|rod| rod.mesh.add_gravity(&rod.chain, &mut structure.gravity));
+        structure.rods.iter().for_each(|rod| rod.mesh.add_gravity(&mut structure.gravity));
+        structure.force_places = scene.forces.iter().map(|force| structure.components(&force.point)).collect();
         structure.unit_forces = structure.unit_forces();
         if scene.rods.iter().any(|rod| scene.heat(rod).is_some_and(|heat| heat.start == Start::Relaxed)) {
             structure.start = structure.relaxed(scene);
@@ -59,7 +74,7 @@ impl Structure {
     /// What the elements that meet at an unknown feel of a unit strain: (λ + 2μ)A or EA + 12EI/l² on a position, times l on a slope.
     fn unit_forces(&self) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
-        for rod in &self.rods {
+        for rod in &*self.rods {
             let (force, l) = (rod.mesh.unit_force(), rod.along.norm());
             let vectors = (0..rod.elements).flat_map(|element| rod.vectors(element));
             for unknown in vectors.flat_map(|vector| vector.unknowns).flatten() {
@@ -75,7 +90,7 @@ impl Structure {
     fn relaxed(&self, scene: &Scene) -> DVector<f64> {
         let mut u = DVector::zeros(self.size());
         let thermal = self.thermal_strains(0.0);
-        for ((rod, data), eps_t) in scene.rods.iter().zip(&self.rods).zip(thermal) {
+        for ((rod, data), eps_t) in scene.rods.iter().zip(&*self.rods).zip(thermal) {
             let about = scene.supports.first().map_or(&rod.from, |support| &support.point);
             let origin = Vector2::from(scene.points[&rod.from]) - Vector2::from(self.points[about].start);
             for (n, vector) in data.chain.iter().enumerate() {
@@ -84,6 +99,17 @@ impl Structure {
             }
         }
         u
+    }
+}
+
+impl Kind {
+    /// One over the length over which a force on the unknown is judged; 0 for multipliers.
+    fn weight(&self) -> f64 {
+        match self {
+            Kind::Position => 1.0,
+            Kind::Slope(length) => 1.0 / length,
+            Kind::Multiplier => 0.0,
+        }
     }
 }
 

@@ -112,10 +112,15 @@ impl Structure {
     /// Takes λ out of a solution: it keeps the rest, with zeros in their place.
     pub fn take_multipliers(&self, solution: &mut DVector<f64>) -> DVector<f64> {
         let mut multipliers = DVector::zeros(self.size());
+        self.take_multipliers_into(solution, &mut multipliers);
+        multipliers
+    }
+
+    /// The same into `multipliers`, whose other entries are zero.
+    pub fn take_multipliers_into(&self, solution: &mut DVector<f64>, multipliers: &mut DVector<f64>) {
         for row in &self.rows {
             multipliers[row.multiplier] = std::mem::take(&mut solution[row.multiplier]);
         }
-        multipliers
     }
 
     /// Largest |Φ(q)|, m, and |Φ_q v|, m/s, of the multipliers' form, at displacement `u` and velocity `v`.

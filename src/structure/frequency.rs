@@ -18,7 +18,7 @@ impl Structure {
     /// still; an explicit run then ends in [`Error::NotFinite`](crate::error::Error::NotFinite).
     pub fn largest_frequency(&self) -> f64 {
         let mut largest: f64 = 0.0;
-        for rod in &self.rods {
+        for rod in &*self.rods {
             let mut look_at = |stretch: [f64; 2], thermal: ThermalStrain| {
                 // Where nothing is left of the rod there is no such state.
                 if stretch.iter().all(|less_one| 1.0 + less_one > 0.0) {

@@ -1,13 +1,14 @@
 //! The elements of one rod, of whatever kind, behind one interface.
 //!
-//! Elements of a rod are equal; its chain of nodal vectors ([`Components`]) says which unknowns each has.
+//! Elements of a rod are equal; its chain of nodal vectors ([`Components`]) says which unknowns each has, and is looked at once,
+//! when these are numbered.
 
 use std::fmt::Debug;
 
-use nalgebra::{DVector, Rotation2, SMatrix, SVector, Vector2};
+use nalgebra::{Complex, DVector, Rotation2, SMatrix, SVector, Vector2};
 
 use crate::kernel::{Beam, Ends, NodalVector, ThermalStrain};
-use crate::linear::Filling;
+use crate::linear::{Chain, Elements, Filling, NONE};
 
 /// Where the components of a nodal vector are among the unknowns.
 #[derive(Clone, Copy, Debug, Default)]
@@ -69,7 +70,7 @@ pub(super) enum ElementMatrix<'a> {
     },
 }
 
-/// What is asked of the elements of a rod, whose `chain` of nodal vectors is given.
+/// What is asked of the elements of a rod.
 pub(super) trait Mesh: Debug + Send + Sync {
     /// The nodal vectors of one element.
     fn vectors(&self) -> &'static [NodalVector];
@@ -80,32 +81,47 @@ pub(super) trait Mesh: Debug + Send + Sync {
     /// Stretches less 1 (along, across) at which a thermal strain makes no stress.
     fn stress_free(&self, eps_t: ThermalStrain) -> [f64; 2];
 
+    /// Takes the unknowns' numbers from the rod's chain of nodal vectors.
+    fn number(&mut self, chain: &[Components]);
+
+    /// Memory for the factors of its matrix; unknowns from `border` on are shared, those in `touches` by this rod.
+    fn chain(&self, border: usize, touches: &[usize]) -> Box<dyn Chain<f64>>;
+
+    /// The same for a complex matrix.
+    fn complex_chain(&self, border: usize, touches: &[usize]) -> Box<dyn Chain<Complex<f64>>>;
+
+    /// Memory that the factors take for each element of a rod that touches the border, bytes.
+    fn bytes_each(&self) -> usize;
+
     /// Displacement of the axis, `place` elements from the rod's beginning.
-    fn axis(&self, chain: &[Components], place: f64, u: &DVector<f64>) -> Vector2<f64>;
+    fn axis(&self, place: f64, u: &DVector<f64>) -> Vector2<f64>;
 
     /// Adds M a.
-    fn add_inertia(&self, chain: &[Components], a: &DVector<f64>, sum: &mut DVector<f64>);
+    fn add_inertia(&self, a: &DVector<f64>, sum: &mut DVector<f64>);
 
     /// Adds the generalized force of gravity.
-    fn add_gravity(&self, chain: &[Components], sum: &mut DVector<f64>);
+    fn add_gravity(&self, sum: &mut DVector<f64>);
 
     /// Adds the elastic forces.
-    fn add_force(&self, chain: &[Components], u: &DVector<f64>, eps_t: ThermalStrain, sum: &mut DVector<f64>);
+    fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, sum: &mut DVector<f64>);
 
     /// Adds the step-averaged elastic forces.
-    fn add_mean_force(&self, chain: &[Components], ends: &Ends<DVector<f64>>, sum: &mut DVector<f64>);
+    fn add_mean_force(&self, ends: &Ends<DVector<f64>>, sum: &mut DVector<f64>);
+
+    /// One element's matrix, by columns.
+    fn matrix(&self, element: usize, matrix: &ElementMatrix, columns: &mut [f64]);
 
     /// Adds the elements' matrices to the rod's block.
-    fn add_matrix(&self, chain: &[Components], matrix: &ElementMatrix, block: &mut Filling);
+    fn add_matrix(&self, matrix: &ElementMatrix, block: &mut Filling);
 
     /// M a + Q_e − `weight` · Q_w at one nodal vector, N.
-    fn force_at(&self, chain: &[Components], vector: usize, now: &Loaded) -> Vector2<f64>;
+    fn force_at(&self, vector: usize, now: &Loaded) -> Vector2<f64>;
 
     /// Strain energy, J.
-    fn energy(&self, chain: &[Components], u: &DVector<f64>, eps_t: ThermalStrain) -> f64;
+    fn energy(&self, u: &DVector<f64>, eps_t: ThermalStrain) -> f64;
 
     /// Energy that heating puts in over a step, J.
-    fn heating_work(&self, chain: &[Components], ends: &Ends<DVector<f64>>) -> f64;
+    fn heating_work(&self, ends: &Ends<DVector<f64>>) -> f64;
 
     /// The largest ω² of an element taken free, (rad/s)², at stretches less 1 (along, across) and a thermal strain. NaN where M is
     /// not positive definite.
@@ -129,16 +145,76 @@ pub(super) struct Equal<B, const N: usize> {
     pub mass: SMatrix<f64, N, N>,
     pub gravity: SVector<f64, N>,
     pub unit_force: f64,
+    /// There once unknowns are numbered.
+    pub places: Vec<Place<N>>,
+}
+
+/// Where an element's coordinates are among the unknowns.
+#[derive(Clone, Debug)]
+pub(super) struct Place<const N: usize> {
+    /// [`NONE`] for those that are held.
+    unknowns: [u32; N],
+    /// Nodal vectors in axes of their own.
+    turns: Vec<(usize, Rotation2<f64>)>,
+}
+
+impl<const N: usize> Place<N> {
+    fn of(vectors: &[Components]) -> Place<N> {
+        let unknown = |i: usize| vectors[i / 2].unknowns[i % 2].map_or(NONE, |unknown| unknown as u32);
+        let turns = vectors.iter().enumerate().filter_map(|(n, vector)| Some((n, vector.turn?)));
+        Place { unknowns: std::array::from_fn(unknown), turns: turns.collect() }
+    }
+
+    /// The element's coordinates from a vector of unknowns, in global axes.
+    #[inline(always)]
+    fn gather(&self, u: &DVector<f64>) -> SVector<f64, N> {
+        let u = u.as_slice();
+        let value = |i: usize| u.get(self.unknowns[i] as usize).copied().unwrap_or(0.0);
+        let mut gathered = SVector::<f64, N>::from_fn(|i, _| value(i));
+        for (n, turn) in &self.turns {
+            let own = gathered.fixed_rows::<2>(2 * n).into_owned();
+            gathered.fixed_rows_mut::<2>(2 * n).copy_from(&(turn * own));
+        }
+        gathered
+    }
+
+    /// Adds the element's force to the unknowns'.
+    #[inline(always)]
+    fn scatter(&self, mut force: SVector<f64, N>, sum: &mut DVector<f64>) {
+        for (n, turn) in &self.turns {
+            let own = turn.inverse() * force.fixed_rows::<2>(2 * n);
+            force.fixed_rows_mut::<2>(2 * n).copy_from(&own);
+        }
+        let sum = sum.as_mut_slice();
+        for (unknown, value) in self.unknowns.iter().zip(&force) {
+            if let Some(sum) = sum.get_mut(*unknown as usize) {
+                *sum += value;
+            }
+        }
+    }
+
+    /// The element's matrix in its nodal vectors' own axes.
+    fn turned(&self, mut matrix: SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
+        for (n, turn) in &self.turns {
+            let rows = turn.inverse() * matrix.fixed_rows::<2>(2 * n);
+            matrix.fixed_rows_mut::<2>(2 * n).copy_from(&rows);
+            let columns = matrix.fixed_columns::<2>(2 * n) * turn;
+            matrix.fixed_columns_mut::<2>(2 * n).copy_from(&columns);
+        }
+        matrix
+    }
+
+    /// A function of both ends of a step for this element.
+    #[inline(always)]
+    fn over<T>(&self, ends: &Ends<DVector<f64>>, f: impl Fn(&Ends<SVector<f64, N>>) -> T) -> T {
+        let (u_0, u_1) = (self.gather(ends.u_0), self.gather(ends.u_1));
+        f(&Ends { u_0: &u_0, u_1: &u_1, thermal_0: ends.thermal_0, thermal_1: ends.thermal_1 })
+    }
 }
 
 impl<B: Beam<N>, const N: usize> Equal<B, N> {
     /// Nodal vectors from an element to the next.
     const STRIDE: usize = N / 2 - 2;
-
-    /// Each element's nodal vectors.
-    fn elements<'a>(&self, chain: &'a [Components]) -> impl Iterator<Item = &'a [Components]> {
-        chain.windows(N / 2).step_by(Self::STRIDE)
-    }
 
     /// An element's displacement under stretches less 1, node i at rest.
     fn stretched(&self, stretch: [f64; 2]) -> SVector<f64, N> {
@@ -149,19 +225,39 @@ impl<B: Beam<N>, const N: usize> Equal<B, N> {
         u
     }
 
-    fn matrix(&self, vectors: &[Components], matrix: &ElementMatrix) -> SMatrix<f64, N, N> {
-        match *matrix {
+    fn element_matrix(&self, place: &Place<N>, matrix: &ElementMatrix) -> SMatrix<f64, N, N> {
+        let own = match *matrix {
             ElementMatrix::Mass => self.mass,
             ElementMatrix::Tangent { u, eps_t, stiffness, mass } => {
-                stiffness * self.beam.tangent(&gather(vectors, u), eps_t) + mass * self.mass
+                self.beam.tangent(&place.gather(u), eps_t) * stiffness + self.mass * mass
             }
             ElementMatrix::Mixed { before, u, eps_t } => {
-                self.beam.mixed_tangent(&gather(vectors, before), &gather(vectors, u), eps_t)
+                self.beam.mixed_tangent(&place.gather(before), &place.gather(u), eps_t)
             }
             ElementMatrix::Mean { ref ends, mass } => {
-                over(vectors, ends, |ends| self.beam.mean_tangent(ends)) + mass * self.mass
+                place.over(ends, |ends| self.beam.mean_tangent(ends)) + self.mass * mass
+            }
+        };
+        place.turned(own)
+    }
+
+    /// M a. The matrix treats x and y alike, and couples neither with the other: half of it is zero.
+    #[inline(always)]
+    fn momentum(&self, a: &SVector<f64, N>) -> SVector<f64, N> {
+        let (mut sum, a) = (SVector::<f64, N>::zeros(), a.as_slice().as_chunks::<2>().0);
+        let sums = sum.as_mut_slice().as_chunks_mut::<2>().0;
+        for (column, a) in a.iter().enumerate() {
+            for (row, sum) in sums.iter_mut().enumerate() {
+                let mass = self.mass[(2 * row, 2 * column)];
+                sum[0] += mass * a[0];
+                sum[1] += mass * a[1];
             }
         }
+        sum
+    }
+
+    fn unknowns(&self) -> impl Iterator<Item = [u32; N]> {
+        self.places.iter().map(|place| place.unknowns)
     }
 }
 
@@ -178,60 +274,78 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
         B::stress_free(eps_t)
     }
 
-    fn axis(&self, chain: &[Components], place: f64, u: &DVector<f64>) -> Vector2<f64> {
-        let last = (chain.len() - 2) / Self::STRIDE - 1;
-        let element = (place.floor() as usize).min(last);
-        let u_e = gather(&chain[element * Self::STRIDE..][..N / 2], u);
-        B::axis(place - element as f64, &u_e, self.along.norm())
+    fn number(&mut self, chain: &[Components]) {
+        self.places = chain.windows(N / 2).step_by(Self::STRIDE).map(Place::of).collect();
     }
 
-    fn add_inertia(&self, chain: &[Components], a: &DVector<f64>, sum: &mut DVector<f64>) {
-        for vectors in self.elements(chain) {
-            scatter(vectors, &(self.mass * gather(vectors, a)), sum);
+    fn chain(&self, border: usize, touches: &[usize]) -> Box<dyn Chain<f64>> {
+        Box::new(Elements::<f64, N>::new(self.unknowns(), border, touches))
+    }
+
+    fn complex_chain(&self, border: usize, touches: &[usize]) -> Box<dyn Chain<Complex<f64>>> {
+        Box::new(Elements::<Complex<f64>, N>::new(self.unknowns(), border, touches))
+    }
+
+    fn bytes_each(&self) -> usize {
+        Elements::<f64, N>::bytes_each(true)
+    }
+
+    fn axis(&self, place: f64, u: &DVector<f64>) -> Vector2<f64> {
+        let element = (place.floor() as usize).min(self.places.len() - 1);
+        B::axis(place - element as f64, &self.places[element].gather(u), self.along.norm())
+    }
+
+    fn add_inertia(&self, a: &DVector<f64>, sum: &mut DVector<f64>) {
+        for place in &self.places {
+            place.scatter(self.momentum(&place.gather(a)), sum);
         }
     }
 
-    fn add_gravity(&self, chain: &[Components], sum: &mut DVector<f64>) {
-        for vectors in self.elements(chain) {
-            scatter(vectors, &self.gravity, sum);
+    fn add_gravity(&self, sum: &mut DVector<f64>) {
+        for place in &self.places {
+            place.scatter(self.gravity, sum);
         }
     }
 
-    fn add_force(&self, chain: &[Components], u: &DVector<f64>, eps_t: ThermalStrain, sum: &mut DVector<f64>) {
-        for vectors in self.elements(chain) {
-            scatter(vectors, &self.beam.force(&gather(vectors, u), eps_t), sum);
+    fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, sum: &mut DVector<f64>) {
+        for place in &self.places {
+            place.scatter(self.beam.force(&place.gather(u), eps_t), sum);
         }
     }
 
-    fn add_mean_force(&self, chain: &[Components], ends: &Ends<DVector<f64>>, sum: &mut DVector<f64>) {
-        for vectors in self.elements(chain) {
-            scatter(vectors, &over(vectors, ends, |ends| self.beam.mean_force(ends)), sum);
+    fn add_mean_force(&self, ends: &Ends<DVector<f64>>, sum: &mut DVector<f64>) {
+        for place in &self.places {
+            place.scatter(place.over(ends, |ends| self.beam.mean_force(ends)), sum);
         }
     }
 
-    fn add_matrix(&self, chain: &[Components], matrix: &ElementMatrix, block: &mut Filling) {
-        for vectors in self.elements(chain) {
-            let unknowns: [Option<usize>; N] = std::array::from_fn(|i| vectors[i / 2].unknowns[i % 2]);
-            block.add_dense(unknowns, &turned(vectors, self.matrix(vectors, matrix)));
+    fn matrix(&self, element: usize, matrix: &ElementMatrix, columns: &mut [f64]) {
+        columns.copy_from_slice(self.element_matrix(&self.places[element], matrix).as_slice());
+    }
+
+    fn add_matrix(&self, matrix: &ElementMatrix, block: &mut Filling) {
+        for place in &self.places {
+            let unknowns = place.unknowns.map(|unknown| (unknown != NONE).then_some(unknown as usize));
+            block.add_dense(unknowns, &self.element_matrix(place, matrix));
         }
     }
 
-    fn force_at(&self, chain: &[Components], vector: usize, now: &Loaded) -> Vector2<f64> {
-        let touching = self.elements(chain).enumerate().filter_map(|(element, vectors)| {
+    fn force_at(&self, vector: usize, now: &Loaded) -> Vector2<f64> {
+        let touching = self.places.iter().enumerate().filter_map(|(element, place)| {
             let own = vector.checked_sub(element * Self::STRIDE).filter(|own| *own < N / 2)?;
-            let (u, a) = (gather(vectors, now.u), gather(vectors, now.a));
+            let (u, a) = (place.gather(now.u), place.gather(now.a));
             let force = self.mass * a + self.beam.force(&u, now.eps_t) - now.weight * self.gravity;
             Some(force.fixed_rows::<2>(2 * own).into_owned())
         });
         touching.sum()
     }
 
-    fn energy(&self, chain: &[Components], u: &DVector<f64>, eps_t: ThermalStrain) -> f64 {
-        self.elements(chain).map(|vectors| self.beam.energy(&gather(vectors, u), eps_t)).sum()
+    fn energy(&self, u: &DVector<f64>, eps_t: ThermalStrain) -> f64 {
+        self.places.iter().map(|place| self.beam.energy(&place.gather(u), eps_t)).sum()
     }
 
-    fn heating_work(&self, chain: &[Components], ends: &Ends<DVector<f64>>) -> f64 {
-        self.elements(chain).map(|vectors| over(vectors, ends, |ends| self.beam.heating_work(ends))).sum()
+    fn heating_work(&self, ends: &Ends<DVector<f64>>) -> f64 {
+        self.places.iter().map(|place| place.over(ends, |ends| self.beam.heating_work(ends))).sum()
     }
 
     fn largest_square_frequency(&self, stretch: [f64; 2], eps_t: ThermalStrain) -> f64 {
@@ -262,43 +376,4 @@ pub(super) fn stretched(
         SlopeX => stretch * t,
         SlopeY => thicken * Vector2::new(-t.y, t.x),
     }
-}
-
-/// An element's coordinates from a vector of unknowns, in global axes.
-fn gather<const N: usize>(vectors: &[Components], u: &DVector<f64>) -> SVector<f64, N> {
-    let mut gathered = SVector::<f64, N>::zeros();
-    for (n, vector) in vectors.iter().enumerate() {
-        gathered.fixed_rows_mut::<2>(2 * n).copy_from(&vector.get(u));
-    }
-    gathered
-}
-
-/// Adds an element's force to the unknowns'.
-fn scatter<const N: usize>(vectors: &[Components], force: &SVector<f64, N>, sum: &mut DVector<f64>) {
-    for (n, vector) in vectors.iter().enumerate() {
-        vector.add(&force.fixed_rows::<2>(2 * n).into_owned(), sum);
-    }
-}
-
-/// An element's matrix in its nodal vectors' own axes.
-fn turned<const N: usize>(vectors: &[Components], mut matrix: SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
-    for (n, vector) in vectors.iter().enumerate() {
-        if let Some(turn) = vector.turn {
-            let rows = turn.inverse() * matrix.fixed_rows::<2>(2 * n);
-            matrix.fixed_rows_mut::<2>(2 * n).copy_from(&rows);
-            let columns = matrix.fixed_columns::<2>(2 * n) * turn;
-            matrix.fixed_columns_mut::<2>(2 * n).copy_from(&columns);
-        }
-    }
-    matrix
-}
-
-/// A function of both ends of a step for one element.
-fn over<T, const N: usize>(
-    vectors: &[Components],
-    ends: &Ends<DVector<f64>>,
-    f: impl Fn(&Ends<SVector<f64, N>>) -> T,
-) -> T {
-    let (u_0, u_1) = (gather(vectors, ends.u_0), gather(vectors, ends.u_1));
-    f(&Ends { u_0: &u_0, u_1: &u_1, thermal_0: ends.thermal_0, thermal_1: ends.thermal_1 })
 }

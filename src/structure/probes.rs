@@ -50,7 +50,7 @@ impl Structure {
     /// c × (δ − fraction · Δ)/|c|: no difference of large numbers for a small deflection.
     pub fn deflection(&self, rod: &str, fraction: f64, u: &DVector<f64>) -> f64 {
         let Some(rod) = self.rods.iter().find(|known| known.name == rod) else { return f64::NAN };
-        let axis = rod.mesh.axis(&rod.chain, fraction * rod.elements as f64, u);
+        let axis = rod.mesh.axis(fraction * rod.elements as f64, u);
         let [start, end] = [0, rod.chain.len() - 2].map(|vector| rod.chain[vector].get(u));
         let chord = rod.along * rod.elements as f64 + end - start;
         chord.perp(&(axis - start - fraction * (end - start))) / chord.norm()
@@ -85,9 +85,9 @@ impl Structure {
             };
             return -Vector2::new(along(x), along(y));
         }
-        let eps_t = self.thermal_strains(now.t)[node.rod];
+        let eps_t = self.thermal_strain(rod, now.t);
         let weight = if self.grows { now.t } else { 1.0 };
-        rod.mesh.force_at(&rod.chain, node.position, &Loaded { u: now.u, a: now.a, eps_t, weight })
+        rod.mesh.force_at(node.position, &Loaded { u: now.u, a: now.a, eps_t, weight })
     }
 
     fn point_force(&self, point: &str, t: f64) -> Vector2<f64> {

@@ -1,7 +1,5 @@
 //! A rod of equal elements: its nodal vectors among the unknowns, its elements, its heat.
 
-use std::sync::Arc;
-
 use nalgebra::Vector2;
 
 use super::Kind;
@@ -10,10 +8,11 @@ use crate::equations::force::Element;
 use crate::equations::shape::Vector14;
 use crate::equations::{cable, inertia, material};
 use crate::kernel::{Ancf, Cable, Law, Meaning, NodalVector, ThermalStrain};
+use crate::plan::Plan;
 use crate::scene::{self, Scene, Temperature, ThermalModel};
 
 /// A rod with what all of its elements share.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Rod {
     pub name: String,
     pub elements: usize,
@@ -21,7 +20,7 @@ pub(super) struct Rod {
     pub along: Vector2<f64>,
     /// Height of the section, m.
     pub height: f64,
-    pub mesh: Arc<dyn Mesh>,
+    pub mesh: Box<dyn Mesh>,
     pub heat: Option<Heat>,
     /// Its nodal vectors: node i's of the first element, then the others of each element.
     pub chain: Vec<Components>,
@@ -35,11 +34,11 @@ pub(super) struct Heat {
 
 impl Rod {
     /// A rod by itself; its unknowns are not numbered yet.
-    pub fn new(scene: &Scene, rod: &scene::Rod) -> Rod {
+    pub fn new(scene: &Scene, rod: &scene::Rod, plan: &Plan) -> Rod {
         let from = Vector2::from(scene.points[&rod.from]);
         let along = (Vector2::from(scene.points[&rod.to]) - from) / rod.elements as f64;
         let mesh = match rod.element {
-            scene::Element::Ancf => ancf(scene, rod, along),
+            scene::Element::Ancf => ancf(scene, rod, along, plan),
             scene::Element::EulerBernoulli => euler_bernoulli(scene, rod, along),
         };
         Rod {
@@ -99,35 +98,39 @@ fn stride(mesh: &dyn Mesh) -> usize {
 }
 
 /// Elements of the paper.
-fn ancf(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>) -> Arc<dyn Mesh> {
+fn ancf(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn Mesh> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let lambda = material::lambda(material.youngs_modulus, material.nu);
     let mu = material::mu(material.youngs_modulus, material.nu);
     // Its place does not matter to mass and weight, so e₀ stays out.
     let element = Element { l: along.norm(), h: section.height, w: section.width, e_0: Vector14::zeros() };
     let Element { l, h, w, .. } = element;
-    Arc::new(Equal {
-        beam: Ancf::new(l, h, w, along.y.atan2(along.x), Law { lambda, mu, poisson: rod.poisson }),
+    let law = Law { lambda, mu, poisson: rod.poisson };
+    let beam = Ancf::new(l, h, w, along.y.atan2(along.x), law);
+    Box::new(Equal {
+        beam: if plan.poisson { beam.with_poissons_terms(law, h, w) } else { beam },
         along,
         mass: inertia::M(material.rho, &element),
         gravity: inertia::Q_w_gravity(&Vector2::from(scene.gravity), material.rho, &element),
         unit_force: (lambda + 2.0 * mu) * h * w,
+        places: Vec::new(),
     })
 }
 
 /// Elements of the paper's competitor.
-fn euler_bernoulli(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>) -> Arc<dyn Mesh> {
+fn euler_bernoulli(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>) -> Box<dyn Mesh> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let area = section.height * section.width;
     let tension = material.youngs_modulus * area;
     let bending = material.youngs_modulus * section.width * section.height.powi(3) / 12.0;
     let l = along.norm();
-    Arc::new(Equal {
+    Box::new(Equal {
         beam: Cable::new(l, along.y.atan2(along.x), tension, bending),
         along,
         mass: cable::M(material.rho * area, l),
         gravity: cable::Q_w_gravity(&Vector2::from(scene.gravity), material.rho * area, l),
         // An end moved across by l bends an element as well: more than its tension where it is higher than long.
         unit_force: tension + 12.0 * bending / (l * l),
+        places: Vec::new(),
     })
 }
