@@ -7,6 +7,8 @@ use serde::Serialize;
 pub struct Counts {
     /// Time steps.
     pub steps: usize,
+    /// Steps made again, shorter, as their estimated error was too large or they could not be made.
+    pub rejected: usize,
     /// Newton iterations over all steps.
     pub newton_iterations: usize,
     /// Evaluations of the elastic forces of the whole structure.

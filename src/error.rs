@@ -24,7 +24,7 @@ pub enum Error {
     /// An explicit step is longer than the method's stability limit.
     #[error(
         "`time.step` is {step:e}; allowed: at most {largest:.6e} s for the method \"{method}\" \
-         (2 / largest frequency, {frequency:.6e} rad/s)"
+         ({limit} / largest frequency, {frequency:.6e} rad/s)"
     )]
     StepTooLarge {
         /// The method's name.
@@ -35,6 +35,8 @@ pub enum Error {
         largest: f64,
         /// Upper bound of the structure's largest angular frequency, rad/s.
         frequency: f64,
+        /// Largest product of step and frequency at which the method is stable.
+        limit: f64,
     },
     /// Newton's iteration stopped short of its tolerance.
     #[error(
@@ -114,6 +116,21 @@ pub enum Error {
         /// What forces, heat and weights have put in at most, J.
         supply: f64,
     },
+    /// An adaptive method has come to its shortest step.
+    #[error(
+        "at t = {time} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \
+         {tolerance:.1e} m; a larger `time.tolerance` helps, or a `history` where a force or heat comes suddenly"
+    )]
+    StepTooSmall {
+        /// Time at the start of the step, s.
+        time: f64,
+        /// The step, s.
+        step: f64,
+        /// Its estimated error, m; infinite where it could not be made.
+        error: f64,
+        /// What the estimate may be, m.
+        tolerance: f64,
+    },
     /// A quantity stopped being a finite number.
     #[error("{quantity} is no longer finite at t = {time} s, step {step}; a smaller `time.step` helps")]
     NotFinite {
@@ -156,6 +173,20 @@ pub enum Error {
         /// The drawing library's reason.
         reason: String,
     },
+    /// A table that was read holds something that is not allowed there.
+    #[error("{file}:{line}: `{column}` is {value}; allowed: {allowed}")]
+    Table {
+        /// The file.
+        file: String,
+        /// Number of the line, from 1, the heading's line.
+        line: u64,
+        /// The column's name.
+        column: String,
+        /// The offending value as it was written.
+        value: String,
+        /// What would have been accepted.
+        allowed: String,
+    },
     /// A result is further from its reference than its bound.
     #[error("{count} comparison(s) with the reference failed; the first: {first}")]
     Comparison {
@@ -174,6 +205,7 @@ impl Error {
             | Error::StepTooLarge { .. }
             | Error::Drifts { .. }
             | Error::TooLarge { .. }
+            | Error::Table { .. }
             | Error::Read { .. } => 2,
             _ => 1,
         }

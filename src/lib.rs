@@ -114,6 +114,7 @@ pub mod integrators;
 pub mod kernel;
 pub mod linear;
 pub mod newton;
+pub mod plan;
 pub mod report;
 pub mod run;
 pub mod scene;

@@ -1,96 +1,156 @@
 //! Newton's iteration, the one loop that every implicit method uses.
-
-use nalgebra::DVector;
+//!
+//! The matrix of an earlier iteration, or of an earlier step, serves as long as the residual shrinks with it so fast that a
+//! new one would not pay: a factorisation costs as much as a few iterations. Where it fails the iterate goes back and
+//! a new matrix is made: nothing converges worse than with a new one each time.
 
 use crate::counts::Counts;
 use crate::error::{Error, Result};
-use crate::linear::{BorderedLu, SingularAt};
+use crate::linear::SingularAt;
 use crate::structure::Structure;
 
-/// More iterations than this never helped: where Newton converges at all it takes three to eight.
-const MOST_ITERATIONS: usize = 30;
+/// More new matrices than this never helped: where Newton converges at all it takes three to eight.
+const MOST_MATRICES: usize = 30;
+
+/// Iterations that cost as much as a new matrix, measured: where more than these are left with the old one, it is not used.
+const WORTH: f64 = 3.0;
+
+/// Steps that begin with a new matrix after one of an earlier step did harm.
+const DISTRUST: usize = 10;
 
 /// How many times the rounding error of one force a residual of several may be.
 const ROUNDINGS: f64 = 8.0;
 
-/// A residual and the largest of the forces it is made of, N, by which it is judged.
+/// The size of what should vanish, and the largest of the forces it is made of, N, by which it is judged.
+#[derive(Clone, Copy, Debug)]
 pub struct Residual {
-    /// What should vanish.
-    pub value: DVector<f64>,
+    /// [`Structure::largest`] of it.
+    pub size: f64,
     /// [`Structure::largest`] over its terms.
     pub largest_term: f64,
 }
 
-/// An equation for the increment `du` of the displacement over a step; multipliers stand in their places of it.
-pub struct Equation<R, T> {
-    /// What should vanish, as a function of `du`.
-    pub residual: R,
-    /// LU factors of its derivative; old ones give their memory.
-    pub tangent: T,
+/// The equations of a step with their unknowns.
+pub trait Equations {
+    /// Evaluates what should vanish at the present iterate.
+    fn residual(&mut self, counts: &mut Counts) -> Residual;
+
+    /// Whether no entry of it is above `times` the rounding error of the elastic forces.
+    fn at_rounding(&self, times: f64) -> bool;
+
+    /// Makes the matrix of the present iterate, and its factors.
+    ///
+    /// # Errors
+    /// The unknown with a vanishing pivot.
+    fn factorize(&mut self) -> std::result::Result<(), SingularAt>;
+
+    /// Solves with the factors and takes the solution off the unknowns.
+    fn improve(&mut self);
+
+    /// Takes the last improvement back.
+    fn undo(&mut self);
 }
 
-/// The step that an equation belongs to.
-#[derive(Clone, Copy, Debug)]
-pub struct Step<'a> {
-    /// Displacement at its start.
-    pub u_0: &'a DVector<f64>,
-    /// Time at its end, s.
-    pub t_1: f64,
-}
-
-/// What an iteration works on.
-pub struct Iterate<'a> {
-    /// The guess, then the solution.
-    pub du: &'a mut DVector<f64>,
-    /// The last factors, whose memory is used again.
-    pub factors: &'a mut Option<BorderedLu>,
-}
-
-/// Solves an equation of a step from the guess in `du`.
-///
-/// Done when the residual's largest entry is at most `tolerance` times the largest force term; or, once the iteration
-/// has done what it can, at most eight times the rounding error of the elastic forces, below which it cannot get. The
-/// guess itself is not judged by rounding: a load smaller than that still moves the structure. Constraint rows are not
-/// judged: they are linear, so that every iterate fulfils them.
-///
-/// # Errors
-/// [`Error::NewtonFailed`] without convergence, [`Error::Singular`] for a singular tangent.
-pub fn solve(
-    structure: &Structure,
+/// What an iteration knows from earlier ones.
+#[derive(Clone, Debug)]
+pub struct Newton {
     tolerance: f64,
-    step: Step,
-    mut equation: Equation<
-        impl Fn(&DVector<f64>) -> Residual,
-        impl FnMut(&DVector<f64>, Option<BorderedLu>) -> std::result::Result<BorderedLu, SingularAt>,
-    >,
-    Iterate { du, factors }: Iterate,
-    counts: &mut Counts,
-) -> Result<()> {
-    let time = step.t_1;
-    let mut iterations = 0;
-    loop {
-        let Residual { mut value, largest_term } = (equation.residual)(du);
-        counts.force_calls += 1;
-        let size = structure.largest(&value);
-        let finite = size.is_finite() && largest_term.is_finite();
-        let at_rounding = || iterations > 0 && structure.within_rounding(&value, &(step.u_0 + &*du), time, ROUNDINGS);
-        if finite && (size <= tolerance * largest_term || at_rounding()) {
-            return Ok(());
+    /// Whether every iteration makes its own matrix.
+    always_new: bool,
+    has_matrix: bool,
+    /// Steps for which matrices of earlier ones are not trusted.
+    distrust: usize,
+}
+
+impl Newton {
+    /// An iteration that ends when the residual's largest entry is at most `tolerance` times the largest force term.
+    pub fn new(tolerance: f64) -> Newton {
+        Newton { tolerance, always_new: false, has_matrix: false, distrust: 0 }
+    }
+
+    /// The same with a new matrix in every iteration.
+    pub fn with_new_matrices(tolerance: f64) -> Newton {
+        Newton { always_new: true, ..Newton::new(tolerance) }
+    }
+
+    /// Whether there are factors of an earlier iteration.
+    pub fn has_matrix(&self) -> bool {
+        self.has_matrix
+    }
+
+    /// Factors were made outside of an iteration.
+    pub fn remember(&mut self) {
+        self.has_matrix = true;
+    }
+
+    /// Forgets the last matrix: the method's step has changed.
+    pub fn forget(&mut self) {
+        self.has_matrix = false;
+    }
+
+    /// Solves the equations of a step that ends at `time`, from the guess that they hold.
+    ///
+    /// Done when the residual's largest entry is at most the tolerance times the largest force term; or, once the iteration
+    /// has done what it can, at most eight times the rounding error of the elastic forces, below which it cannot get. The
+    /// guess itself is not judged by rounding: a load smaller than that still moves the structure. Constraint rows are not
+    /// judged: they are linear, so that every iterate fulfils them.
+    ///
+    /// # Errors
+    /// [`Error::NewtonFailed`] without convergence, [`Error::Singular`] for a singular tangent.
+    pub fn solve(
+        &mut self,
+        structure: &Structure,
+        time: f64,
+        equations: &mut impl Equations,
+        counts: &mut Counts,
+    ) -> Result<()> {
+        self.distrust = self.distrust.saturating_sub(1);
+        // Whether the last improvement came from the matrix of its own iterate.
+        let mut own = true;
+        let mut needs_matrix = self.always_new || !self.has_matrix || self.distrust > 0;
+        let (mut iterations, mut matrices) = (0, 0);
+        let mut last: Option<f64> = None;
+        loop {
+            let Residual { size, largest_term } = equations.residual(counts);
+            let finite = size.is_finite() && largest_term.is_finite();
+            let goal = self.tolerance * largest_term;
+            if finite && (size <= goal || (iterations > 0 && equations.at_rounding(ROUNDINGS))) {
+                return Ok(());
+            }
+            if let Some(last) = last.take() {
+                let rate = size / last;
+                if !own && (!finite || rate >= 1.0) {
+                    // The old matrix did harm.
+                    equations.undo();
+                    (self.distrust, needs_matrix) = (DISTRUST, true);
+                    continue;
+                }
+                needs_matrix = self.always_new || rate >= 1.0 || (goal / size).ln() / rate.ln() > WORTH;
+            }
+            if !finite || matrices == MOST_MATRICES {
+                self.has_matrix = false;
+                let (residual, tolerance) = (size / largest_term, self.tolerance);
+                return Err(Error::NewtonFailed { time, iterations, residual, tolerance });
+            }
+            if needs_matrix {
+                matrices += 1;
+                counts.tangent_calls += 1;
+                counts.factorizations += 1;
+                equations.factorize().map_err(|SingularAt(unknown)| {
+                    self.has_matrix = false;
+                    Error::Singular { time, iteration: iterations + 1, place: structure.place(unknown) }
+                })?;
+                self.has_matrix = true;
+            }
+            own = std::mem::take(&mut needs_matrix);
+            iterations += 1;
+            counts.newton_iterations += 1;
+            counts.solves += 1;
+            equations.improve();
+            last = Some(size);
         }
-        if !finite || iterations == MOST_ITERATIONS {
-            return Err(Error::NewtonFailed { time, iterations, residual: size / largest_term, tolerance });
-        }
-        iterations += 1;
-        let new = (equation.tangent)(du, factors.take()).map_err(|SingularAt(unknown)| Error::Singular {
-            time,
-            iteration: iterations,
-            place: structure.place(unknown),
-        })?;
-        factors.insert(new).solve(&mut value);
-        *du -= value;
-        counts.newton_iterations += 1;
-        counts.tangent_calls += 1;
-        counts.factorizations += 1;
-        counts.solves += 1;
     }
 }
+
+#[cfg(test)]
+mod tests;

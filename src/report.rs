@@ -9,6 +9,7 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use crate::error::Result;
+use crate::plan::{Part, Plan};
 use crate::run::{Run, Trajectory};
 use crate::scene::{ENERGY_COLUMNS, Method, Scene};
 
@@ -69,6 +70,23 @@ pub fn run_text(scene: &Scene, run: &Run) -> String {
     lines.join("\n") + "\n"
 }
 
+/// What is computed for a scene and what is left out, a line for each part, and its size. Ends with a newline.
+pub fn plan_text(scene: &Scene) -> String {
+    let parts = Plan::of(scene).parts(scene);
+    let width = parts.iter().map(|part| part.what.chars().count()).max().unwrap_or(0);
+    let line = |part: &Part| {
+        let verb = if part.computed { "computed" } else { "left out" };
+        format!("{verb}  {:width$}  {}", part.what, part.why)
+    };
+    let elements: usize = scene.rods.iter().map(|rod| rod.elements).sum();
+    let (rods, method) = (scene.rods.len(), scene.time.method);
+    let mut lines = vec![scene.title.clone(), format!("{method}; rods: {rods}, elements: {elements}")];
+    lines.extend(parts.iter().map(line));
+    lines.push("`ancf error-time` measures what this saves".into());
+    lines.retain(|line| !line.is_empty());
+    lines.join("\n") + "\n"
+}
+
 /// Time of the last row, s.
 fn final_time(run: &Run) -> Option<f64> {
     run.trajectory.rows.last().and_then(|row| row.first()).copied()
@@ -118,8 +136,15 @@ mod tests {
         rows[0][9] = -3e-7;
         rows[1][9] = 2e-7;
         let trajectory = Trajectory { columns: scene.columns(), rows };
-        let counts =
-            Counts { steps: 1, newton_iterations: 2, force_calls: 3, tangent_calls: 4, factorizations: 5, solves: 6 };
+        let counts = Counts {
+            steps: 1,
+            rejected: 0,
+            newton_iterations: 2,
+            force_calls: 3,
+            tangent_calls: 4,
+            factorizations: 5,
+            solves: 6,
+        };
         (scene, Run { trajectory, counts, wall_seconds: 0.25, warnings: vec!["mind the gap".into()] })
     }
 

@@ -6,8 +6,9 @@ use nalgebra::DVector;
 
 use crate::counts::Counts;
 use crate::error::{Error, Result};
-use crate::integrators::{self, State};
-use crate::linear::BorderedLu;
+use crate::integrators::{self, Motion, State};
+use crate::kernel::ThermalStrain;
+use crate::plan::Plan;
 use crate::scene::{Element, Method, Poisson, Probe, Quantity, Rod, Scene, Start};
 use crate::structure::{Instant as Now, StepEnds, Structure};
 
@@ -50,29 +51,41 @@ pub fn run(scene: &Scene) -> Result<Run> {
     run_with_progress(scene, |_| ())
 }
 
-/// Runs a scene and tells `on_step` the number of steps made after each of them.
+/// Runs a scene and tells `on_step`, after each of the times that the scene asks for, how many of [`Scene::steps`] are done.
 ///
 /// # Errors
 /// Those of [`run`].
-pub fn run_with_progress(scene: &Scene, mut on_step: impl FnMut(usize)) -> Result<Run> {
+pub fn run_with_progress(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
+    run_planned(scene, &Plan::of(scene), on_step)
+}
+
+/// The same with a plan that computes more than the scene needs.
+///
+/// # Errors
+/// Those of [`run`].
+pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -> Result<Run> {
     let clock = Instant::now();
     scene.validate("scene")?;
-    let structure = Structure::new(scene)?;
+    let structure = Structure::planned(scene, plan)?;
     let mut counts = Counts::default();
-    let u = structure.start().clone();
-    let mut state = State { step: 0, t: 0.0, v: DVector::zeros(structure.size()), u };
-    let mut method = integrators::integrator(scene, &structure, &state, &mut counts)?;
-    let mut recorder = Recorder::new(scene, &structure, &state, &mut counts)?;
+    let mut state = State::at_start(&structure);
+    let mut before = state.clone();
+    let mut method = integrators::integrator(scene, plan, &structure, &state, &mut counts)?;
+    let mut recorder = Recorder::new(scene, plan, &structure, &state, &mut counts)?;
 
     recorder.record(&state, method.multipliers(), &mut counts)?;
+    // Nothing in this loop asks for memory.
     for step in 1..=scene.steps() {
         let t = scene.time_after(step);
-        let before = recorder.works(state.t, t).then(|| state.clone());
-        method.step(&structure, &mut state, t, &mut counts)?;
-        (state.step, state.t) = (step, t);
-        counts.steps += 1;
-        if let Some(before) = before {
-            recorder.work(&before, &state);
+        while state.t < t {
+            let works = recorder.works();
+            if works {
+                before.copy_from(&state);
+            }
+            method.step(&structure, &mut state, t, &mut counts)?;
+            if works {
+                recorder.work(&before, &state);
+            }
         }
         if scene.is_row(step) {
             recorder.record(&state, method.multipliers(), &mut counts)?;
@@ -80,7 +93,7 @@ pub fn run_with_progress(scene: &Scene, mut on_step: impl FnMut(usize)) -> Resul
         on_step(step);
     }
     Ok(Run {
-        trajectory: recorder.trajectory,
+        trajectory: recorder.trajectory(),
         counts,
         wall_seconds: clock.elapsed().as_secs_f64(),
         warnings: warnings(scene),
@@ -139,9 +152,14 @@ fn shock_warning(scene: &Scene) -> Option<String> {
 struct Recorder<'a> {
     scene: &'a Scene,
     structure: &'a Structure,
-    trajectory: Trajectory,
+    /// Memory for all rows, and how many are written.
+    rows: Vec<Vec<f64>>,
+    written: usize,
     /// There if a probe asks for an acceleration, or for a reaction that follows from it.
-    mass: Option<BorderedLu>,
+    motion: Option<Motion>,
+    /// Accelerations and multipliers of the equation of motion; zero where nothing asks for them.
+    a: DVector<f64>,
+    multipliers: DVector<f64>,
     /// There if the scene asks for energies.
     energy: Option<Energy>,
 }
@@ -152,13 +170,39 @@ struct Energy {
     input: f64,
     /// The most that forces, heat and the fall of weights have put in so far.
     supply: f64,
+    /// Whether forces or heat put energy in.
+    works: bool,
+    /// What is computed with.
+    thermal: [Vec<ThermalStrain>; 2],
+    vector: DVector<f64>,
 }
 
 impl Energy {
-    fn new(structure: &Structure, state: &State) -> Energy {
+    fn new(scene: &Scene, structure: &Structure, state: &State) -> Energy {
+        let thermal = structure.thermal_strains(0.0);
         // Before a sudden start there is no strain energy; the heat that then appears puts in what is there at t = 0.
-        let input = structure.strain_energy(&state.u, &structure.thermal_strains(0.0));
-        Energy { start: 0.0 - structure.gravity().dot(&state.u), input, supply: 0.0 }
+        let input = structure.strain_energy(&state.u, &thermal);
+        let start = 0.0 - structure.gravity().dot(&state.u);
+        let heats = scene.rods.iter().any(|rod| scene.heat(rod).is_some_and(|heat| heat.history.len() > 1));
+        let works = !scene.forces.is_empty() || heats;
+        let vector = DVector::zeros(structure.size());
+        Energy { start, input, supply: 0.0, works, thermal: [thermal.clone(), thermal], vector }
+    }
+
+    /// Adds the work of forces and of heating over a step.
+    fn work(&mut self, structure: &Structure, before: &State, after: &State) {
+        let [thermal_0, thermal_1] = &mut self.thermal;
+        structure.thermal_strains_into(before.t, thermal_0);
+        structure.thermal_strains_into(after.t, thermal_1);
+        if thermal_0 != thermal_1 {
+            let ends = StepEnds { u_0: &before.u, u_1: &after.u, thermal_0, thermal_1 };
+            self.input += structure.heating_work(&ends);
+        }
+        let force = &mut self.vector;
+        force.fill(0.0);
+        structure.add_point_forces(before.t, 0.5, force);
+        structure.add_point_forces(after.t, 0.5, force);
+        self.input += force.dot(&after.u) - force.dot(&before.u);
     }
 
     /// Refuses a state with twice the energy that was put in: no method may create any, and one whose step is far too long
@@ -174,75 +218,83 @@ impl Energy {
     }
 
     /// Kinetic, strain and potential energy, input and balance.
-    fn row(&self, structure: &Structure, state: &State) -> [f64; 5] {
-        let kinetic = structure.kinetic_energy(&state.v);
-        let strain = structure.strain_energy(&state.u, &structure.thermal_strains(state.t));
+    fn row(&mut self, structure: &Structure, state: &State) -> [f64; 5] {
+        let kinetic = structure.kinetic_energy(&state.v, &mut self.vector);
+        let [thermal, _] = &mut self.thermal;
+        structure.thermal_strains_into(state.t, thermal);
+        let strain = structure.strain_energy(&state.u, thermal);
         let potential = 0.0 - structure.gravity().dot(&state.u);
         [kinetic, strain, potential, self.input, kinetic + strain + potential - self.start - self.input]
     }
 }
 
 impl<'a> Recorder<'a> {
-    fn new(scene: &'a Scene, structure: &'a Structure, state: &State, counts: &mut Counts) -> Result<Recorder<'a>> {
-        let moves = scene.time.method != Method::Static;
-        let asked = |quantity| scene.probes.iter().any(|probe| probe.of.contains(&quantity));
-        let accelerates = moves && (asked(Quantity::Acceleration) || asked(Quantity::Reaction));
+    fn new(
+        scene: &'a Scene,
+        plan: &Plan,
+        structure: &'a Structure,
+        state: &State,
+        counts: &mut Counts,
+    ) -> Result<Recorder<'a>> {
+        let columns = scene.columns().len();
+        let rows = (0..=scene.steps()).filter(|step| scene.is_row(*step));
+        let zeros = || DVector::zeros(structure.size());
         Ok(Recorder {
             scene,
             structure,
-            trajectory: Trajectory { columns: scene.columns(), rows: Vec::new() },
-            mass: accelerates.then(|| integrators::mass_factors(structure, counts)).transpose()?,
-            energy: scene.has_energies().then(|| Energy::new(structure, state)),
+            rows: rows.map(|_| Vec::with_capacity(columns)).collect(),
+            written: 0,
+            motion: plan.acceleration.then(|| Motion::new(structure, counts)).transpose()?,
+            a: zeros(),
+            multipliers: zeros(),
+            energy: plan.energy.then(|| Energy::new(scene, structure, state)),
         })
     }
 
-    /// Whether forces or heat put energy in between two times.
-    fn works(&self, t_0: f64, t_1: f64) -> bool {
-        let heats = || self.structure.thermal_strains(t_0) != self.structure.thermal_strains(t_1);
-        self.energy.is_some() && (!self.scene.forces.is_empty() || heats())
+    /// Whether forces or heat put energy in that has to be known.
+    fn works(&self) -> bool {
+        self.energy.as_ref().is_some_and(|energy| energy.works)
     }
 
-    /// Adds the work of forces and of heating over a step.
     fn work(&mut self, before: &State, after: &State) {
-        let structure = self.structure;
-        let (thermal_0, thermal_1) = (structure.thermal_strains(before.t), structure.thermal_strains(after.t));
-        let heating = if thermal_0 == thermal_1 {
-            0.0
-        } else {
-            let ends = StepEnds { u_0: &before.u, u_1: &after.u, thermal_0: &thermal_0, thermal_1: &thermal_1 };
-            structure.heating_work(&ends)
-        };
-        let force = structure.point_forces(before.t) + structure.point_forces(after.t);
         if let Some(energy) = &mut self.energy {
-            energy.input += heating + 0.5 * force.dot(&(&after.u - &before.u));
+            energy.work(self.structure, before, after);
         }
     }
 
     fn record(&mut self, state: &State, multipliers: Option<&DVector<f64>>, counts: &mut Counts) -> Result<()> {
         let structure = self.structure;
-        let mut a = match &self.mass {
-            Some(mass) => integrators::acceleration(structure, mass, &state.u, state.t, counts),
-            None => DVector::zeros(structure.size()),
-        };
-        let of_motion = structure.take_multipliers(&mut a);
-        let now = Now { u: &state.u, a: &a, t: state.t, multipliers: multipliers.unwrap_or(&of_motion) };
-        let mut row = vec![state.t];
+        if let Some(motion) = &mut self.motion {
+            motion.accelerate(structure, &state.u, state.t, counts);
+            self.a.copy_from(&motion.a);
+            structure.take_multipliers_into(&mut self.a, &mut self.multipliers);
+        }
+        let now = Now { u: &state.u, a: &self.a, t: state.t, multipliers: multipliers.unwrap_or(&self.multipliers) };
+        let Some(row) = self.rows.get_mut(self.written) else { return Ok(()) };
+        row.push(state.t);
         for (probe, quantity) in self.scene.probes.iter().flat_map(|probe| probe.of.iter().map(move |of| (probe, of))) {
             match look(structure, probe, *quantity, state, now) {
                 Value::Vector(vector) => row.extend(vector),
                 Value::Number(number) => row.push(number),
             }
         }
-        let energies = self.energy.as_ref().map(|energy| energy.row(structure, state));
-        row.extend(energies.iter().flatten());
+        let energies = self.energy.as_mut().map(|energy| energy.row(structure, state));
+        if self.scene.has_energies() {
+            row.extend(energies.iter().flatten());
+        }
         if !row.iter().all(|value| value.is_finite()) {
             return Err(Error::NotFinite { quantity: "the output", time: state.t, step: state.step });
         }
         if let (Some(energy), Some(energies)) = (&mut self.energy, energies) {
             energy.check(energies, structure, state)?;
         }
-        self.trajectory.rows.push(row);
+        self.written += 1;
         Ok(())
+    }
+
+    fn trajectory(mut self) -> Trajectory {
+        self.rows.truncate(self.written);
+        Trajectory { columns: self.scene.columns(), rows: self.rows }
     }
 }
 

@@ -202,7 +202,7 @@ pub struct Time {
     /// End of the simulation, s; a whole number of steps. The load factor 1 in statics, where a file may leave it out.
     #[serde(default = "default_end")]
     pub end: f64,
-    /// Step, s.
+    /// Step, s; the longest one of adaptive methods.
     #[serde(default = "default_step")]
     pub step: f64,
     /// Time-stepping method.
@@ -215,6 +215,10 @@ pub struct Time {
     /// times the rounding error of the elastic forces.
     #[serde(default = "default_newton_tolerance")]
     pub newton_tolerance: f64,
+    /// Adaptive methods: largest estimated error of a step, m, of positions and of slopes times the length over which they act;
+    /// other methods do without.
+    #[serde(default = "default_tolerance")]
+    pub tolerance: f64,
     /// Statics: equal parts in which loads and heat are applied; other methods do without.
     #[serde(default = "default_load_steps")]
     pub load_steps: usize,
@@ -234,6 +238,10 @@ fn default_step() -> f64 {
 
 fn default_rho_inf() -> f64 {
     0.9
+}
+
+fn default_tolerance() -> f64 {
+    1e-6
 }
 
 fn default_newton_tolerance() -> f64 {
@@ -286,19 +294,25 @@ pub const ENERGY_COLUMNS: [&str; 5] =
     ["energy.kinetic", "energy.strain", "energy.potential", "energy.input", "energy.balance"];
 
 impl Scene {
-    /// Number of time steps from 0 to `time.end`, or of load steps.
+    /// Number of time steps from 0 to `time.end`, or of load steps; of output rows where a method chooses its own steps.
     pub fn steps(&self) -> usize {
         match self.time.method {
             Method::Static => self.time.load_steps,
-            _ => (self.time.end / self.time.step).round() as usize,
+            _ => (self.time.end / self.stride()).round() as usize,
         }
     }
 
-    /// Time after `step` steps, s; the load factor in statics. Not a sum of steps, whose rounding would grow.
+    /// From one of the times that a method has to reach to the next, s: a step, or an output interval where it chooses its own.
+    fn stride(&self) -> f64 {
+        let own = self.output.interval.filter(|_| self.time.method.is_adaptive());
+        own.unwrap_or(self.time.step)
+    }
+
+    /// Time after `step` of these, s; the load factor in statics. Not a sum of steps, whose rounding would grow.
     pub fn time_after(&self, step: usize) -> f64 {
         match self.time.method {
             Method::Static => step as f64 / self.time.load_steps as f64,
-            _ => step as f64 * self.time.step,
+            _ => step as f64 * self.stride(),
         }
     }
 
@@ -307,7 +321,7 @@ impl Scene {
         if self.time.method == Method::Static {
             return 1;
         }
-        self.output.interval.map_or(1, |interval| (interval / self.time.step).round().max(1.0) as usize)
+        self.output.interval.map_or(1, |interval| (interval / self.stride()).round().max(1.0) as usize)
     }
 
     /// Whether the state after `step` steps is an output row: the first, each `rows_every`-th, and the last.

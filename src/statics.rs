@@ -11,55 +11,111 @@ use nalgebra::DVector;
 use crate::counts::Counts;
 use crate::error::{Error, Result};
 use crate::integrators::{Integrator, State};
-use crate::linear::BorderedLu;
-use crate::newton::{self, Equation, Iterate, Residual, Step};
-use crate::structure::Structure;
+use crate::kernel::ThermalStrain;
+use crate::linear::SingularAt;
+use crate::newton::{Equations, Newton, Residual};
+use crate::structure::{Factors, Matrix, Structure};
 
 /// Load steps; the load factor takes the place of time.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Statics {
-    tolerance: f64,
-    /// Increment of the last load step, the guess for the next.
+    newton: Newton,
+    memory: Memory,
+}
+
+/// What a load step works on.
+#[derive(Debug)]
+struct Memory {
+    /// Increment of the displacement; that of the last load step is the guess for the next.
     du: DVector<f64>,
-    factors: Option<BorderedLu>,
+    /// The displacement, and the one before the last improvement.
+    u: DVector<f64>,
+    before: DVector<f64>,
+    improvement: DVector<f64>,
+    /// What should vanish.
+    value: DVector<f64>,
+    load: DVector<f64>,
+    thermal: Vec<ThermalStrain>,
+    factors: Factors,
 }
 
 impl Statics {
-    /// Statics of a structure, with Newton's tolerance.
-    pub fn new(structure: &Structure, tolerance: f64) -> Statics {
-        Statics { tolerance, du: DVector::zeros(structure.size()), factors: None }
+    /// Statics of a structure. [`Newton::with_new_matrices`] is what converges best.
+    pub fn new(structure: &Structure, newton: Newton) -> Statics {
+        let zeros = || DVector::zeros(structure.size());
+        let memory = Memory {
+            du: zeros(),
+            u: zeros(),
+            before: zeros(),
+            improvement: zeros(),
+            value: zeros(),
+            load: zeros(),
+            thermal: structure.thermal_strains(0.0),
+            factors: structure.factors(),
+        };
+        Statics { newton, memory }
+    }
+}
+
+/// The equations of one load step.
+struct Step<'a> {
+    structure: &'a Structure,
+    u_0: &'a DVector<f64>,
+    memory: &'a mut Memory,
+    largest_load: f64,
+    /// Whether an improvement was made, so that there is a displacement before it.
+    improved: bool,
+}
+
+impl Equations for Step<'_> {
+    fn residual(&mut self, counts: &mut Counts) -> Residual {
+        let Memory { du, u, value, load, thermal, .. } = &mut *self.memory;
+        u.copy_from(self.u_0);
+        *u += &*du;
+        self.structure.force(u, thermal, value);
+        counts.force_calls += 1;
+        let largest_term = self.structure.largest(value).max(self.largest_load);
+        *value -= &*load;
+        Residual { size: self.structure.largest(value), largest_term }
+    }
+
+    fn at_rounding(&self, times: f64) -> bool {
+        let Memory { u, value, thermal, .. } = &*self.memory;
+        self.structure.within_rounding(value, u, thermal, times)
+    }
+
+    fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
+        let Memory { u, before, thermal, factors, .. } = &mut *self.memory;
+        let before = if self.improved { &*before } else { &*u };
+        self.structure.factorize(Matrix::Mixed { before, u, thermal }, factors)
+    }
+
+    fn improve(&mut self) {
+        let Memory { du, u, before, improvement, value, factors, .. } = &mut *self.memory;
+        before.copy_from(u);
+        self.improved = true;
+        improvement.copy_from(value);
+        factors.solve(improvement);
+        *du -= &*improvement;
+    }
+
+    fn undo(&mut self) {
+        let Memory { du, improvement, .. } = &mut *self.memory;
+        *du += &*improvement;
     }
 }
 
 impl Integrator for Statics {
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
-        let u_0 = &state.u;
-        let (thermal, load) = (structure.thermal_strains(t_1), structure.load(t_1));
-        let residual = |du: &DVector<f64>| {
-            let mut value = DVector::zeros(structure.size());
-            structure.force(&(u_0 + du), &thermal, &mut value);
-            let largest_term = structure.largest(&value).max(structure.largest(&load));
-            value -= &load;
-            Residual { value, largest_term }
-        };
-        let mut before = None;
-        let tangent = |du: &DVector<f64>, old| {
-            let u = u_0 + du;
-            let factors = structure.mixed_tangent_factors(before.as_ref().unwrap_or(&u), &u, &thermal, old);
-            before = Some(u);
-            factors
-        };
-        let equation = Equation { residual, tangent };
-        newton::solve(
-            structure,
-            self.tolerance,
-            Step { u_0, t_1 },
-            equation,
-            Iterate { du: &mut self.du, factors: &mut self.factors },
-            counts,
-        )
-        .map_err(no_equilibrium)?;
-        state.u += &self.du;
+        let Statics { newton, memory } = self;
+        structure.thermal_strains_into(t_1, &mut memory.thermal);
+        structure.load_into(t_1, &mut memory.load);
+        let largest_load = structure.largest(&memory.load);
+        let mut step = Step { structure, u_0: &state.u, memory, largest_load, improved: false };
+        newton.solve(structure, t_1, &mut step, counts).map_err(no_equilibrium)?;
+        state.u += &memory.du;
+        state.advance(t_1);
+        counts.steps += 1;
         Ok(())
     }
 }

@@ -62,6 +62,19 @@ const STILL: &str = r#"{
 }
 "#;
 
+/// A rod that is over after two rows, between which steps of 0.7 ms do not fit; a base for changes like [`GOOD`].
+const ADAPTIVE: &str = r#"{
+  "schema": "ancf-scene/1",
+  "material": {"E": 2e8, "nu": 0.3, "rho": 7750.0},
+  "section": {"height": 0.02, "width": 0.03},
+  "points": {"o": [0.0, 0.0], "a": [1.0, 0.0]},
+  "rods": [{"name": "rod", "from": "o", "to": "a", "elements": 1}],
+  "time": {"end": 0.002, "step": 0.0007, "method": "gauss-adaptive", "tolerance": 1e-6},
+  "gravity": [0.0, -9.8], "output": {"energy": false, "interval": 0.001},
+  "probes": [{"name": "tip", "point": "a", "of": ["position"]}]
+}
+"#;
+
 /// Runs `text` as the file `case.json` and returns what the binary said; the output folder is `out` in `folder`.
 fn run(folder: &Path, text: &[u8]) -> Output {
     let file = folder.join("case.json");
@@ -152,7 +165,7 @@ refused! {
     key_that_begins_like_another: r#""o": [0.0, 0.0], "apex": [0.5, 0.0]"# => r#""ap": [0.0, 0.0], "apex": [0.5, "x"]"#; 6, "`points.apex[1]` is \"x\""; "a number"
     point_with_one_coordinate: "[0.5, 0.0]" => "[0.5]"; 6, "`points.apex` is [0.5]"; "two numbers"
     point_with_three_coordinates: "[0.5, 0.0]" => "[0.5, 0.0, 0.0]"; 6, "`points.apex` is [0.5, 0.0, 0.0]"; "two numbers"
-    unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`, `static`; nearest: `"
+    unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`, `gauss`, `nystrom`, `gauss-adaptive`, `nystrom-adaptive`, `static`; nearest: `"
     number_for_a_word: r#""energy-momentum""# => "4"; 11, "`time.method` is 4"; "`generalized-alpha`, `energy-momentum`, `explicit`"
     object_for_a_word: r#""2d""# => r#"{"2d": null}"#; 10, "`temperature.model` is {\"2d\": null}"; "`2d`, `1d`, `none`"
     nan: r#""nu": 0.3"# => r#""nu": NaN"#; 4, "`material.nu` is NaN"; "numbers are finite"
@@ -191,6 +204,19 @@ refused! {
     negative_rho_inf: "0.8" => "-0.1"; 11, "`time.rho_inf` is -0.1"; "from 0 to 1"
     zero_tolerance: "1e-9" => "0.0"; 11, "`time.newton_tolerance` is 0.0"; "over 0"
     coarse_tolerance: "1e-9" => "0.1"; 11, "`time.newton_tolerance` is 0.1"; "not over 1e-2"
+}
+
+// Methods with steps of their own choice.
+refused! {
+    in ADAPTIVE;
+    zero_tolerance_of_a_step: r#""tolerance": 1e-6"# => r#""tolerance": 0.0"#; 7, "`time.tolerance` is 0.0"; "a finite number over 0"
+    negative_tolerance_of_a_step: r#""tolerance": 1e-6"# => r#""tolerance": -1e-6"#; 7, "`time.tolerance` is -1e-6"; "a finite number over 0"
+    tolerance_that_is_no_number: r#""tolerance": 1e-6"# => r#""tolerance": NaN"#; 7, "`time.tolerance` is NaN"; "numbers are finite"
+    null_for_a_tolerance: r#""tolerance": 1e-6"# => r#""tolerance": null"#; 7, "`time.tolerance` is null"; "a number"
+    end_that_is_no_row: r#""interval": 0.001"# => r#""interval": 0.0015"#; 7, "`time.end` is 0.002"; "a whole number of steps of"
+    end_that_is_no_row_of_longest_steps: r#", "interval": 0.001"# => ""; 7, "`time.end` is 0.002"; "a whole number of steps of `time.step` = 0.0007 s"
+    negative_interval_of_rows: r#""interval": 0.001"# => r#""interval": -0.001"#; 8, "`output.interval` is -0.001"; "over 0"
+    multipliers_with_steps_of_its_own_choice: r#"  "time""# => r#"  "constraints": "multipliers", "time""#; 7, "`constraints` is \"multipliers\""; "(here: \"gauss-adaptive\")"
 }
 
 // Names, points, rods, supports and probes.
@@ -283,6 +309,8 @@ refused! {
     null_for_a_forces_history: "[[0.0, 0.0], [0.1, 1.0]]" => "null"; 12, "`forces[0].history` is null"; "a list"
     times_of_a_force_out_of_order: "[0.1, 1.0]" => "[-0.1, 1.0]"; 12, "`forces[0].history[1][0]` is -0.1"; "a time after the 0.0 s before it"
     unknown_constraints: r#""multipliers""# => r#""penalty""#; 14, "`constraints` is \"penalty\""; "`condensed`, `multipliers`"
+    multipliers_with_gauss: "generalized-alpha" => "gauss"; 14, "`constraints` is \"multipliers\""; "needs the method \"generalized-alpha\" (here: \"gauss\")"
+    multipliers_with_nystrom: "generalized-alpha" => "nystrom"; 14, "`constraints` is \"multipliers\""; "needs the method \"generalized-alpha\" (here: \"nystrom\")"
     multipliers_with_another_method: "generalized-alpha" => "energy-momentum"; 14, "`constraints` is \"multipliers\""; "needs the method \"generalized-alpha\" (here: \"energy-momentum\")"
     no_load_steps: r#""load_steps": 7"# => r#""load_steps": 0"#; 15, "`time.load_steps` is 0"; "a whole number from 1 to 1000000"
     too_many_load_steps: r#""load_steps": 7"# => r#""load_steps": 1000001"#; 15, "`time.load_steps` is 1000001"; "a whole number from 1 to 1000000"
@@ -321,7 +349,7 @@ refused! {
 
 #[test]
 fn the_unchanged_structures_are_valid() {
-    for text in [CROSS, STILL] {
+    for text in [CROSS, STILL, ADAPTIVE] {
         ancf::scene::Scene::parse(text, "case.json").unwrap();
     }
 }

@@ -141,7 +141,7 @@ impl Moving {
         let Moving { scene, structure, state } = self;
         scene.time.step = step;
         let mut counts = Counts::default();
-        let mut method = integrator(scene, structure, state, &mut counts).unwrap();
+        let mut method = integrator(scene, &ancf::plan::Plan::of(scene), structure, state, &mut counts).unwrap();
         let mass = ancf::integrators::mass_factors(structure, &mut counts).unwrap();
         let start = state.t;
         for n in 1..=count {
@@ -219,8 +219,8 @@ fn multipliers_do_not_make_a_residual_look_like_rounding() {
     let mut beside_forces = u.clone();
     (0..).map_while(|row| structure.multiplier(row)).for_each(|multiplier| beside_forces[multiplier] = 1e3);
     for u in [u, beside_forces] {
-        assert!(structure.within_rounding(&of_size(1e-11), &u, 0.0, 8.0));
-        assert!(!structure.within_rounding(&of_size(1e-7), &u, 0.0, 8.0));
+        assert!(structure.within_rounding(&of_size(1e-11), &u, &structure.thermal_strains(0.0), 8.0));
+        assert!(!structure.within_rounding(&of_size(1e-7), &u, &structure.thermal_strains(0.0), 8.0));
     }
 }
 

@@ -10,63 +10,136 @@ use nalgebra::DVector;
 use super::{Integrator, State};
 use crate::counts::Counts;
 use crate::error::Result;
-use crate::linear::BorderedLu;
-use crate::newton::{self, Equation, Iterate, Residual, Step};
-use crate::structure::{StepEnds, Structure};
+use crate::kernel::ThermalStrain;
+use crate::linear::SingularAt;
+use crate::newton::{Equations, Newton, Residual};
+use crate::structure::{Factors, Matrix, StepEnds, Structure};
 
 /// The method with its step and Newton's tolerance.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct EnergyMomentum {
     step: f64,
-    tolerance: f64,
-    factors: Option<BorderedLu>,
+    newton: Newton,
+    memory: Memory,
+}
+
+/// What a step works on.
+#[derive(Debug)]
+struct Memory {
+    /// The unknown: the increment of u.
+    du: DVector<f64>,
+    /// u₁.
+    u: DVector<f64>,
+    /// Last improvement of `du`.
+    improvement: DVector<f64>,
+    /// What should vanish.
+    value: DVector<f64>,
+    /// Q̄.
+    elastic: DVector<f64>,
+    /// 2 (du − Δt v₀)/Δt².
+    a: DVector<f64>,
+    /// External force averaged over the step: its work is that average times the displacement.
+    load: DVector<f64>,
+    thermal: [Vec<ThermalStrain>; 2],
+    factors: Factors,
 }
 
 impl EnergyMomentum {
     /// A method with step `step` (s).
-    pub fn new(step: f64, tolerance: f64) -> EnergyMomentum {
-        EnergyMomentum { step, tolerance, factors: None }
+    pub fn new(structure: &Structure, step: f64, newton: Newton) -> EnergyMomentum {
+        let zeros = || DVector::zeros(structure.size());
+        let memory = Memory {
+            du: zeros(),
+            u: zeros(),
+            improvement: zeros(),
+            value: zeros(),
+            elastic: zeros(),
+            a: zeros(),
+            load: zeros(),
+            thermal: [structure.thermal_strains(0.0), structure.thermal_strains(0.0)],
+            factors: structure.factors(),
+        };
+        EnergyMomentum { step, newton, memory }
+    }
+}
+
+/// The equations of one step.
+struct Step<'a> {
+    structure: &'a Structure,
+    dt: f64,
+    state: &'a State,
+    memory: &'a mut Memory,
+    largest_load: f64,
+}
+
+/// Both ends of a step.
+fn ends<'a>(u_0: &'a DVector<f64>, u_1: &'a DVector<f64>, thermal: &'a [Vec<ThermalStrain>; 2]) -> StepEnds<'a> {
+    let [thermal_0, thermal_1] = thermal;
+    StepEnds { u_0, u_1, thermal_0, thermal_1 }
+}
+
+impl Equations for Step<'_> {
+    fn residual(&mut self, counts: &mut Counts) -> Residual {
+        let Memory { du, u, value, elastic, a, load, thermal, .. } = &mut *self.memory;
+        u.copy_from(&self.state.u);
+        *u += &*du;
+        self.structure.mean_force(&ends(&self.state.u, u, thermal), elastic);
+        counts.force_calls += 1;
+        // M (v₁ − v₀)/Δt = 2/Δt² M (du − Δt v₀) keeps its digits at small steps.
+        a.copy_from(du);
+        a.axpy(-self.dt, &self.state.v, 1.0);
+        *a *= 2.0 / (self.dt * self.dt);
+        self.structure.inertia_into(a, value);
+        let largest_term = self.structure.largest(value).max(self.structure.largest(elastic)).max(self.largest_load);
+        *value += &*elastic;
+        *value -= &*load;
+        Residual { size: self.structure.largest(value), largest_term }
+    }
+
+    fn at_rounding(&self, times: f64) -> bool {
+        let Memory { u, value, thermal, .. } = &*self.memory;
+        self.structure.within_rounding(value, u, &thermal[1], times)
+    }
+
+    fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
+        let Memory { u, thermal, factors, .. } = &mut *self.memory;
+        let mass = 2.0 / (self.dt * self.dt);
+        self.structure.factorize(Matrix::Mean { ends: ends(&self.state.u, u, thermal), mass }, factors)
+    }
+
+    fn improve(&mut self) {
+        let Memory { du, improvement, value, factors, .. } = &mut *self.memory;
+        improvement.copy_from(value);
+        factors.solve(improvement);
+        *du -= &*improvement;
+    }
+
+    fn undo(&mut self) {
+        let Memory { du, improvement, .. } = &mut *self.memory;
+        *du += &*improvement;
     }
 }
 
 impl Integrator for EnergyMomentum {
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
-        let dt = self.step;
-        let (u_0, v_0) = (&state.u, &state.v);
-        let (thermal_0, thermal_1) = (&*structure.thermal_strains(state.t), &*structure.thermal_strains(t_1));
-        let load = mean_load(structure, state.t, t_1);
+        let EnergyMomentum { step: dt, newton, memory } = self;
+        structure.thermal_strains_into(state.t, &mut memory.thermal[0]);
+        structure.thermal_strains_into(t_1, &mut memory.thermal[1]);
+        structure.load_into(state.t, &mut memory.load);
+        structure.load_into(t_1, &mut memory.value);
+        memory.load += &memory.value;
+        memory.load *= 0.5;
+        memory.du.copy_from(&state.v);
+        memory.du *= *dt;
+        let largest_load = structure.largest(&memory.load);
+        let mut step = Step { structure, dt: *dt, state, memory, largest_load };
+        newton.solve(structure, t_1, &mut step, counts)?;
 
-        // The unknown is the increment du: M (v₁ − v₀)/Δt = 2/Δt² M (du − Δt v₀) then keeps its digits at small steps.
-        let residual = |du: &DVector<f64>| {
-            let mut value = DVector::zeros(structure.size());
-            structure.mean_force(&StepEnds { u_0, u_1: &(u_0 + du), thermal_0, thermal_1 }, &mut value);
-            let inertia = structure.inertia(&((du - v_0 * dt) * (2.0 / (dt * dt))));
-            let terms = [&value, &inertia, &load];
-            let largest_term = terms.map(|term| structure.largest(term)).into_iter().fold(0.0, f64::max);
-            value += inertia - &load;
-            Residual { value, largest_term }
-        };
-        let tangent = |du: &DVector<f64>, old| {
-            let ends = StepEnds { u_0, u_1: &(u_0 + du), thermal_0, thermal_1 };
-            structure.mean_tangent_factors(&ends, 2.0 / (dt * dt), old)
-        };
-        let mut du = v_0 * dt;
-        newton::solve(
-            structure,
-            self.tolerance,
-            Step { u_0, t_1 },
-            Equation { residual, tangent },
-            Iterate { du: &mut du, factors: &mut self.factors },
-            counts,
-        )?;
-
-        state.v = &du * (2.0 / dt) - v_0;
-        state.u += du;
+        // v₁ = 2 du/Δt − v₀.
+        state.v.axpy(2.0 / *dt, &memory.du, -1.0);
+        state.u += &memory.du;
+        state.advance(t_1);
+        counts.steps += 1;
         Ok(())
     }
-}
-
-/// External force averaged over a step: its work over the step is then that average times the displacement.
-fn mean_load(structure: &Structure, t_0: f64, t_1: f64) -> DVector<f64> {
-    0.5 * (structure.load(t_0) + structure.load(t_1))
 }

@@ -20,26 +20,54 @@ use nalgebra::DVector;
 use super::{Integrator, State, acceleration, mass_factors};
 use crate::counts::Counts;
 use crate::error::Result;
-use crate::linear::BorderedLu;
-use crate::newton::{self, Equation, Iterate, Residual, Step};
-use crate::structure::Structure;
+use crate::kernel::ThermalStrain;
+use crate::linear::SingularAt;
+use crate::newton::{Equations, Newton, Residual};
+use crate::structure::{Factors, Matrix, Structure};
 
 /// The method with its parameters and the acceleration that it carries along.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct GeneralizedAlpha {
-    step: f64,
-    tolerance: f64,
-    alpha_m: f64,
-    alpha_f: f64,
-    beta: f64,
-    gamma: f64,
+    weights: Weights,
+    newton: Newton,
     /// a₀ at the start of the step.
     a: DVector<f64>,
     /// λ₀ at the start of the step, in their places.
     multipliers: DVector<f64>,
+    memory: Memory,
+}
+
+/// The step and the weights of its two ends.
+#[derive(Clone, Copy, Debug)]
+struct Weights {
+    step: f64,
+    alpha_m: f64,
+    alpha_f: f64,
+    beta: f64,
+    gamma: f64,
+}
+
+/// What a step works on.
+#[derive(Debug)]
+struct Memory {
+    /// The unknowns: the increment of u, and λ₁ in their places.
+    du: DVector<f64>,
+    /// u₁.
+    u: DVector<f64>,
+    /// Last improvement of `du`.
+    improvement: DVector<f64>,
+    /// What should vanish.
+    value: DVector<f64>,
+    /// (1 − α_m) a₁ + α_m a₀.
+    a: DVector<f64>,
+    /// (Q_e + Φ_qᵀ λ)₁.
+    elastic: DVector<f64>,
     /// (Q_e + Φ_qᵀ λ − f)₀ at the start of the step.
     unbalanced: DVector<f64>,
-    factors: Option<BorderedLu>,
+    /// f₁.
+    load: DVector<f64>,
+    thermal: Vec<ThermalStrain>,
+    factors: Factors,
 }
 
 impl GeneralizedAlpha {
@@ -53,71 +81,120 @@ impl GeneralizedAlpha {
         state: &State,
         step: f64,
         rho_inf: f64,
-        tolerance: f64,
+        newton: Newton,
         counts: &mut Counts,
     ) -> Result<GeneralizedAlpha> {
         let alpha_m = (2.0 * rho_inf - 1.0) / (rho_inf + 1.0);
         let alpha_f = rho_inf / (rho_inf + 1.0);
+        let (beta, gamma) = (0.25 * (1.0 - alpha_m + alpha_f).powi(2), 0.5 - alpha_m + alpha_f);
         let mass = mass_factors(structure, counts)?;
         let mut a = acceleration(structure, &mass, &state.u, state.t, counts);
         let multipliers = structure.take_multipliers(&mut a);
-        Ok(GeneralizedAlpha {
-            step,
-            tolerance,
-            alpha_m,
-            alpha_f,
-            beta: 0.25 * (1.0 - alpha_m + alpha_f).powi(2),
-            gamma: 0.5 - alpha_m + alpha_f,
+        let zeros = || DVector::zeros(structure.size());
+        let memory = Memory {
+            du: zeros(),
+            u: zeros(),
+            improvement: zeros(),
+            value: zeros(),
+            a: zeros(),
+            elastic: zeros(),
             unbalanced: -structure.inertia(&a),
-            a,
-            multipliers,
-            factors: None,
-        })
+            load: zeros(),
+            thermal: structure.thermal_strains(state.t),
+            factors: structure.factors(),
+        };
+        let weights = Weights { step, alpha_m, alpha_f, beta, gamma };
+        Ok(GeneralizedAlpha { weights, newton, a, multipliers, memory })
+    }
+}
+
+/// The equations of one step.
+struct Step<'a> {
+    structure: &'a Structure,
+    weights: Weights,
+    state: &'a State,
+    a_0: &'a DVector<f64>,
+    memory: &'a mut Memory,
+    /// Largest of the terms that do not change in the step.
+    largest_given: f64,
+}
+
+impl Equations for Step<'_> {
+    fn residual(&mut self, counts: &mut Counts) -> Residual {
+        let Weights { step: dt, alpha_m, alpha_f, beta, .. } = self.weights;
+        let Memory { du, u, value, a, elastic, unbalanced, load, thermal, .. } = &mut *self.memory;
+        u.copy_from(&self.state.u);
+        *u += &*du;
+        self.structure.force(u, thermal, elastic);
+        counts.force_calls += 1;
+        self.structure.add_constraint_forces(du, elastic);
+        // a₁ = (du − Δt v₀)/(βΔt²) − (1/(2β) − 1) a₀.
+        let from_du = (1.0 - alpha_m) / (beta * dt * dt);
+        a.copy_from(du);
+        a.axpy(-dt, &self.state.v, 1.0);
+        a.axpy(alpha_m - (1.0 - alpha_m) * (0.5 / beta - 1.0), self.a_0, from_du);
+        self.structure.inertia_into(a, value);
+        let largest_term = self.structure.largest(value).max(self.structure.largest(elastic)).max(self.largest_given);
+        value.axpy(1.0 - alpha_f, elastic, 1.0);
+        value.axpy(alpha_f - 1.0, load, 1.0);
+        value.axpy(alpha_f, unbalanced, 1.0);
+        self.structure.set_constraint_rows(du, value);
+        Residual { size: self.structure.largest(value), largest_term }
+    }
+
+    fn at_rounding(&self, times: f64) -> bool {
+        let Memory { u, value, thermal, .. } = &*self.memory;
+        self.structure.within_rounding(value, u, thermal, times)
+    }
+
+    fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
+        let Weights { step: dt, alpha_m, alpha_f, beta, .. } = self.weights;
+        let Memory { u, thermal, factors, .. } = &mut *self.memory;
+        let (stiffness, mass) = (1.0 - alpha_f, (1.0 - alpha_m) / (beta * dt * dt));
+        self.structure.factorize(Matrix::Tangent { u, thermal, stiffness, mass }, factors)
+    }
+
+    fn improve(&mut self) {
+        let Memory { du, improvement, value, factors, .. } = &mut *self.memory;
+        improvement.copy_from(value);
+        factors.solve(improvement);
+        *du -= &*improvement;
+    }
+
+    fn undo(&mut self) {
+        let Memory { du, improvement, .. } = &mut *self.memory;
+        *du += &*improvement;
     }
 }
 
 impl Integrator for GeneralizedAlpha {
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
-        let GeneralizedAlpha { step: dt, alpha_m, alpha_f, beta, gamma, .. } = *self;
-        let (u_0, v_0, a_0, unbalanced_0) = (&state.u, &state.v, &self.a, &self.unbalanced);
-        let thermal = structure.thermal_strains(t_1);
-        let load = structure.load(t_1);
+        let Weights { step: dt, beta, gamma, .. } = self.weights;
+        let GeneralizedAlpha { newton, a: a_0, multipliers, memory, weights } = self;
+        structure.thermal_strains_into(t_1, &mut memory.thermal);
+        structure.load_into(t_1, &mut memory.load);
+        memory.du.copy_from(multipliers);
+        memory.du.axpy(dt, &state.v, 1.0);
+        memory.du.axpy(0.5 * dt * dt, a_0, 1.0);
+        let largest_given = structure.largest(&memory.unbalanced).max(structure.largest(&memory.load));
+        let mut step = Step { structure, weights: *weights, state, a_0, memory, largest_given };
+        newton.solve(structure, t_1, &mut step, counts)?;
 
-        // The unknowns are the increment du and, in their places, λ₁; a₁ follows from du.
-        let a_1 = |du: &DVector<f64>| (du - v_0 * dt) / (beta * dt * dt) - a_0 * (0.5 / beta - 1.0);
-        let elastic = |du: &DVector<f64>| {
-            let mut force = DVector::zeros(structure.size());
-            structure.force(&(u_0 + du), &thermal, &mut force);
-            structure.add_constraint_forces(du, &mut force);
-            force
-        };
-        let residual = |du: &DVector<f64>| {
-            let inertia = structure.inertia(&(a_1(du) * (1.0 - alpha_m) + a_0 * alpha_m));
-            let elastic = elastic(du);
-            let terms = [&inertia, &elastic, unbalanced_0, &load];
-            let largest_term = terms.map(|term| structure.largest(term)).into_iter().fold(0.0, f64::max);
-            let mut value = inertia + (elastic - &load) * (1.0 - alpha_f) + unbalanced_0 * alpha_f;
-            structure.set_constraint_rows(du, &mut value);
-            Residual { value, largest_term }
-        };
-        let weights = [1.0 - alpha_f, (1.0 - alpha_m) / (beta * dt * dt)];
-        let tangent = |du: &DVector<f64>, old| structure.tangent_factors(&(u_0 + du), &thermal, weights, old);
-        let mut du = v_0 * dt + &self.multipliers;
-        newton::solve(
-            structure,
-            self.tolerance,
-            Step { u_0, t_1 },
-            Equation { residual, tangent },
-            Iterate { du: &mut du, factors: &mut self.factors },
-            counts,
-        )?;
-
-        let unbalanced = elastic(&du) - &load;
-        let multipliers = structure.take_multipliers(&mut du);
-        let a_1 = a_1(&du);
-        state.v += a_0 * (dt * (1.0 - gamma)) + &a_1 * (dt * gamma);
-        state.u += du;
-        (self.a, self.multipliers, self.unbalanced) = (a_1, multipliers, unbalanced);
+        // The last residual's forces are those of the solution.
+        memory.unbalanced.copy_from(&memory.elastic);
+        memory.unbalanced -= &memory.load;
+        structure.take_multipliers_into(&mut memory.du, multipliers);
+        // v₁ = v₀ + Δt [(1 − γ) a₀ + γ a₁], a₁ as above.
+        let v_0 = &mut memory.value;
+        v_0.copy_from(&state.v);
+        state.v.axpy(dt * (1.0 - gamma), a_0, 1.0);
+        *a_0 *= 1.0 - 0.5 / beta;
+        a_0.axpy(1.0 / (beta * dt * dt), &memory.du, 1.0);
+        a_0.axpy(-1.0 / (beta * dt), v_0, 1.0);
+        state.v.axpy(dt * gamma, a_0, 1.0);
+        state.u += &memory.du;
+        state.advance(t_1);
+        counts.steps += 1;
         Ok(())
     }
 

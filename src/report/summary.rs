@@ -6,6 +6,7 @@ use serde::{Serialize, Serializer};
 
 use super::{energy_imbalance, final_time, final_values};
 use crate::counts::Counts;
+use crate::plan::{Part, Plan};
 use crate::run::Run;
 use crate::scene::{Method, Scene};
 
@@ -17,6 +18,7 @@ use crate::scene::{Method, Scene};
 pub fn write_summary(out: &mut dyn Write, scene: &Scene, run: &Run) -> io::Result<()> {
     let summary = Summary {
         scene,
+        plan: Plan::of(scene).parts(scene),
         method: scene.time.method,
         steps: run.counts.steps,
         newton_iterations: run.counts.newton_iterations,
@@ -42,6 +44,8 @@ pub fn write_summary(out: &mut dyn Write, scene: &Scene, run: &Run) -> io::Resul
 #[derive(Serialize)]
 struct Summary<'a> {
     scene: &'a Scene,
+    /// What was computed and what was left out.
+    plan: Vec<Part>,
     method: Method,
     steps: usize,
     newton_iterations: usize,
@@ -109,7 +113,7 @@ mod tests {
         assert_eq!(Scene::parse(&summary["scene"].to_string(), "summary").unwrap(), scene);
         assert_eq!(summary["method"], "energy-momentum");
         assert_eq!((&summary["steps"], &summary["newton_iterations"]), (&json!(1), &json!(2)));
-        let counts = json!({"steps": 1, "newton_iterations": 2, "force_calls": 3, "tangent_calls": 4,
+        let counts = json!({"steps": 1, "rejected": 0, "newton_iterations": 2, "force_calls": 3, "tangent_calls": 4,
             "factorizations": 5, "solves": 6});
         assert_eq!(summary["counts"], counts);
         let probes = json!({"tip.x": AWKWARD[1], "tip.y": AWKWARD[2], "tip.vx": AWKWARD[3], "tip.vy": AWKWARD[4]});

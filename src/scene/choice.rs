@@ -81,8 +81,28 @@ words! {
         EnergyMomentum = "energy-momentum",
         /// Velocity Verlet; its step is limited by the largest frequency.
         Explicit = "explicit",
+        /// Gauss collocation with two stages: implicit, of order four.
+        Gauss = "gauss",
+        /// Dormand, El-Mikkawy and Prince's Runge–Kutta–Nyström method: explicit, of order four.
+        Nystrom = "nystrom",
+        /// The same as "gauss", with steps as long as `tolerance` allows.
+        GaussAdaptive = "gauss-adaptive",
+        /// The same as "nystrom", with steps as long as `tolerance` allows.
+        NystromAdaptive = "nystrom-adaptive",
         /// No motion: equilibrium as loads and heat grow from nothing to their full size.
         Static = "static",
+    }
+}
+
+impl Method {
+    /// Whether accelerations come from the equation of motion alone, without a system of equations in the stiffness.
+    pub fn is_explicit(self) -> bool {
+        matches!(self, Method::Explicit | Method::Nystrom | Method::NystromAdaptive)
+    }
+
+    /// Whether it chooses its own steps.
+    pub fn is_adaptive(self) -> bool {
+        matches!(self, Method::GaussAdaptive | Method::NystromAdaptive)
     }
 }
 

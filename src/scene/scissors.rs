@@ -88,6 +88,7 @@ impl Scissors {
                 method: Method::EnergyMomentum,
                 rho_inf: super::default_rho_inf(),
                 newton_tolerance: super::default_newton_tolerance(),
+                tolerance: super::default_tolerance(),
                 load_steps: super::default_load_steps(),
             },
             output: Output { interval: Some(0.01), energy: true },

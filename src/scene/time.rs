@@ -18,7 +18,7 @@ const WHOLE: (f64, f64) = (1e-9, 1e-3);
 
 /// Steps and the numbers of the methods.
 pub(super) fn check_time(time: &Time) -> Check {
-    let &Time { end, step, method, rho_inf, newton_tolerance, load_steps } = time;
+    let &Time { end, step, method, rho_inf, newton_tolerance, tolerance, load_steps } = time;
     positive("time.end", end)?;
     positive("time.step", step)?;
     if method == Method::Static {
@@ -28,7 +28,10 @@ pub(super) fn check_time(time: &Time) -> Check {
         let steps = end / step;
         let allowed = format_args!("at least {:.9e} s, for {MOST_STEPS:e} steps at most", end / MOST_STEPS);
         require(steps <= MOST_STEPS, "time.step", format_args!("{step:?}"), allowed)?;
-        whole("time.end", end, step)?;
+        if !method.is_adaptive() {
+            whole("time.end", end, step)?;
+        }
+        positive("time.tolerance", tolerance)?;
     }
     let rho_holds = (0.0..=1.0).contains(&rho_inf);
     require(rho_holds, "time.rho_inf", format_args!("{rho_inf:?}"), "a number from 0 to 1, with both")?;
@@ -51,7 +54,13 @@ pub(super) fn check_output(scene: &Scene) -> Check {
     let Time { end, step, .. } = scene.time;
     if let Some(interval) = scene.output.interval {
         positive(key, interval)?;
-        whole(key, interval, step)?;
+        if scene.time.method.is_adaptive() {
+            whole("time.end", end, interval)?;
+        } else {
+            whole(key, interval, step)?;
+        }
+    } else if scene.time.method.is_adaptive() {
+        whole("time.end", end, step)?;
     }
     let interval = scene.output.interval.unwrap_or(step);
     let rows = end / interval;

@@ -197,7 +197,8 @@ pub fn solve(scene: &Scene) -> Shape {
     let structure = Structure::new(scene).unwrap();
     let mut counts = Counts::default();
     let mut state = State { step: 0, t: 0.0, u: structure.start().clone(), v: DVector::zeros(structure.size()) };
-    let mut method = integrators::integrator(scene, &structure, &state, &mut counts).unwrap();
+    let mut method =
+        integrators::integrator(scene, &ancf::plan::Plan::of(scene), &structure, &state, &mut counts).unwrap();
     for step in 1..=scene.steps() {
         method.step(&structure, &mut state, scene.time_after(step), &mut counts).unwrap();
     }

@@ -1,0 +1,250 @@
+//! Gauss collocation with two stages: implicit, of order 4, symmetric and symplectic; every wave keeps its energy, resolved or not.
+//!
+//! With stages at c = ½ ∓ √3/6, the equation of motion holds there for the polynomial that has their accelerations:
+//!
+//! M aᵢ + Q_e(u₀ + zᵢ) = fᵢ,  zᵢ = cᵢ Δt v₀ + Δt² Σ (A²)ᵢⱼ aⱼ,
+//!
+//! u₁ = u₀ + Δt v₀ + Δt² Σ bᵢ(1 − cᵢ) aᵢ,  v₁ = v₀ + Δt Σ bᵢ aᵢ,  b = (½, ½). Unknowns are the increments z, as a = A⁻²(z − c Δt v₀)/Δt².
+//!
+//! Newton's iteration takes one tangent K for both stages. A has the eigenvalues λ = ¼ + i√3/12 and its conjugate, so that both
+//! stages together are one complex system of the size of the structure, M + Δt²λ² K (Butcher 1976).
+//!
+//! **Error estimate**, of order 3: the acceleration at the step's start less the stages' polynomial there, as a force r on the
+//! left of the same system: Δt²/12 · Re (M + Δt²λ² K)⁻¹ r. The system takes away what stiff waves would make of it.
+
+use nalgebra::{Complex, DVector};
+
+use super::{Embedded, Integrator, State};
+use crate::counts::Counts;
+use crate::error::Result;
+use crate::kernel::ThermalStrain;
+use crate::linear::{Chains, SingularAt};
+use crate::newton::{Equations, Newton, Residual};
+use crate::structure::Structure;
+
+const ROOT_3: f64 = 1.732_050_807_568_877_2;
+
+/// Where the stages are.
+const C: [f64; 2] = [0.5 - ROOT_3 / 6.0, 0.5 + ROOT_3 / 6.0];
+
+/// A⁻², by rows.
+const INVERSE: [[f64; 2]; 2] = [[6.0, 6.0 * (2.0 * ROOT_3 - 3.0)], [-6.0 * (2.0 * ROOT_3 + 3.0), 6.0]];
+
+/// Largest sum of the sizes of A⁻²'s entries times c.
+const INVERSE_SIZE: f64 = 13.0;
+
+/// λ.
+const EIGENVALUE: Complex<f64> = Complex::new(0.25, ROOT_3 / 12.0);
+
+/// Right eigenvector of A for λ, and the left one over their product.
+const RIGHT: [Complex<f64>; 2] = [Complex::new(0.25 - ROOT_3 / 6.0, 0.0), Complex::new(0.0, ROOT_3 / 12.0)];
+const LEFT: [Complex<f64>; 2] = [Complex::new(-6.0 - 4.0 * ROOT_3, 0.0), Complex::new(0.0, -2.0 * ROOT_3)];
+
+/// The method with its step.
+#[derive(Debug)]
+pub struct Gauss {
+    step: f64,
+    newton: Newton,
+    /// Step of the last matrix.
+    matrix_step: f64,
+    memory: Memory,
+}
+
+/// What a step works on; pairs are of both stages.
+#[derive(Debug)]
+struct Memory {
+    /// The unknowns z.
+    z: [DVector<f64>; 2],
+    /// u₀ + z, and the mean of both.
+    u: [DVector<f64>; 2],
+    middle: DVector<f64>,
+    /// Last improvement of z.
+    improvement: [DVector<f64>; 2],
+    /// What should vanish.
+    value: [DVector<f64>; 2],
+    a: [DVector<f64>; 2],
+    elastic: DVector<f64>,
+    load: [DVector<f64>; 2],
+    thermal: [Vec<ThermalStrain>; 2],
+    complex: DVector<Complex<f64>>,
+    factors: Chains<Complex<f64>>,
+}
+
+impl Gauss {
+    /// A method with step `step` (s).
+    pub fn new(structure: &Structure, step: f64, newton: Newton) -> Gauss {
+        let zeros = || DVector::zeros(structure.size());
+        let pair = || [zeros(), zeros()];
+        let thermal = || structure.thermal_strains(0.0);
+        let memory = Memory {
+            z: pair(),
+            u: pair(),
+            middle: zeros(),
+            improvement: pair(),
+            value: pair(),
+            a: pair(),
+            elastic: zeros(),
+            load: pair(),
+            thermal: [thermal(), thermal()],
+            complex: DVector::zeros(structure.size()),
+            factors: structure.complex_factors(),
+        };
+        Gauss { step, newton, matrix_step: step, memory }
+    }
+}
+
+/// The equations of one step.
+struct Step<'a> {
+    structure: &'a Structure,
+    dt: f64,
+    state: &'a State,
+    memory: &'a mut Memory,
+    largest_load: f64,
+    /// Rounding error of the inertia, N: it is a difference of z and c Δt v₀ over Δt².
+    inertia_rounding: f64,
+}
+
+impl Equations for Step<'_> {
+    fn residual(&mut self, counts: &mut Counts) -> Residual {
+        let Step { structure, dt, state, largest_load, .. } = *self;
+        let Memory { z, u, value, a, elastic, load, thermal, .. } = &mut *self.memory;
+        let (mut size, mut largest_term): (f64, f64) = (0.0, largest_load);
+        for stage in 0..2 {
+            u[stage].copy_from(&state.u);
+            u[stage] += &z[stage];
+            let a = &mut a[stage];
+            a.fill(0.0);
+            for other in 0..2 {
+                let weight = INVERSE[stage][other] / (dt * dt);
+                a.axpy(weight, &z[other], 1.0);
+                a.axpy(-weight * C[other] * dt, &state.v, 1.0);
+            }
+            structure.force(&u[stage], &thermal[stage], elastic);
+            structure.inertia_into(a, &mut value[stage]);
+            let terms = structure.largest(&value[stage]).max(structure.largest(elastic));
+            value[stage] += &*elastic;
+            value[stage] -= &load[stage];
+            // A maximum would drop a NaN; a sum of two sizes is as good.
+            size += structure.largest(&value[stage]);
+            largest_term = largest_term.max(terms);
+        }
+        counts.force_calls += 2;
+        Residual { size, largest_term }
+    }
+
+    fn at_rounding(&self, times: f64) -> bool {
+        let Memory { u, value, thermal, .. } = &*self.memory;
+        let (structure, floor) = (self.structure, times * self.inertia_rounding);
+        (0..2).all(|stage| {
+            structure.largest(&value[stage]) <= floor
+                || structure.within_rounding(&value[stage], &u[stage], &thermal[stage], times)
+        })
+    }
+
+    fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
+        let Memory { u: [first, second], middle, thermal, factors, .. } = &mut *self.memory;
+        middle.copy_from(first);
+        *middle += &*second;
+        *middle *= 0.5;
+        let stiffness = EIGENVALUE * EIGENVALUE * (self.dt * self.dt);
+        self.structure.factorize_complex(middle, &thermal[1], stiffness, factors)
+    }
+
+    fn improve(&mut self) {
+        let Memory { z, improvement, value: [first, second], complex, factors, .. } = &mut *self.memory;
+        for ((w, first), second) in complex.iter_mut().zip(&*first).zip(&*second) {
+            *w = LEFT[0] * *first + LEFT[1] * *second;
+        }
+        factors.solve(complex);
+        let factor = EIGENVALUE * EIGENVALUE * (2.0 * self.dt * self.dt);
+        for ((z, improvement), right) in z.iter_mut().zip(improvement).zip(RIGHT) {
+            for (entry, w) in improvement.iter_mut().zip(&*complex) {
+                *entry = (right * factor * w).re;
+            }
+            *z -= &*improvement;
+        }
+    }
+
+    fn undo(&mut self) {
+        let Memory { z, improvement, .. } = &mut *self.memory;
+        z.iter_mut().zip(improvement).for_each(|(z, improvement)| *z += &*improvement);
+    }
+}
+
+impl Embedded for Gauss {
+    const ORDER: u8 = 3;
+
+    fn make(&mut self, structure: &Structure, state: &mut State, dt: f64, t_1: f64, counts: &mut Counts) -> Result<()> {
+        let Gauss { newton, matrix_step, memory, .. } = self;
+        // Equal steps between two times differ by rounding.
+        if (dt - *matrix_step).abs() > 1e-9 * dt {
+            newton.forget();
+            *matrix_step = dt;
+        }
+        for (stage, c) in C.into_iter().enumerate() {
+            let t = t_1 - (1.0 - c) * dt;
+            structure.thermal_strains_into(t, &mut memory.thermal[stage]);
+            structure.load_into(t, &mut memory.load[stage]);
+            // The guess: c Δt v₀ + ½ (c Δt)² a with the acceleration of the last stage before.
+            let z = &mut memory.z[stage];
+            z.copy_from(&memory.a[1]);
+            z.axpy(c * dt, &state.v, 0.5 * (c * dt).powi(2));
+        }
+        let largest_load = structure.largest(&memory.load[0]).max(structure.largest(&memory.load[1]));
+        structure.inertia_into(&state.v, &mut memory.elastic);
+        let inertia_rounding = f64::EPSILON * INVERSE_SIZE * structure.largest(&memory.elastic) / dt;
+        let mut step = Step { structure, dt, state, memory, largest_load, inertia_rounding };
+        newton.solve(structure, t_1, &mut step, counts)?;
+
+        state.u.axpy(dt, &state.v, 1.0);
+        for (stage, a) in memory.a.iter().enumerate() {
+            state.u.axpy(0.5 * (1.0 - C[stage]) * dt * dt, a, 1.0);
+            state.v.axpy(0.5 * dt, a, 1.0);
+        }
+        state.advance(t_1);
+        Ok(())
+    }
+
+    fn error(&mut self, structure: &Structure, before: &State, _: &State, dt: f64, counts: &mut Counts) -> f64 {
+        let Memory {
+            middle, value: [force, start], a: [first, second], elastic, load, thermal, complex, factors, ..
+        } = &mut self.memory;
+        structure.thermal_strains_into(before.t, &mut thermal[0]);
+        structure.force(&before.u, &thermal[0], elastic);
+        structure.load_into(before.t, &mut load[0]);
+        // The stages' polynomial at the start.
+        start.copy_from(first);
+        start.axpy(0.5 * (1.0 - ROOT_3), second, 0.5 * (1.0 + ROOT_3));
+        structure.inertia_into(start, force);
+        for (r, ((load, elastic), inertia)) in complex.iter_mut().zip(load[0].iter().zip(&*elastic).zip(&*force)) {
+            *r = Complex::new(load - elastic - inertia, 0.0);
+        }
+        // Where the guess was the solution, a structure at rest, there was no iteration and is no matrix.
+        if !self.newton.has_matrix() {
+            let stiffness = EIGENVALUE * EIGENVALUE * (dt * dt);
+            if structure.factorize_complex(&before.u, &thermal[0], stiffness, factors).is_err() {
+                return f64::INFINITY;
+            }
+            self.newton.remember();
+            counts.tangent_calls += 1;
+            counts.factorizations += 1;
+        }
+        factors.solve(complex);
+        counts.force_calls += 1;
+        counts.solves += 1;
+        for (error, r) in middle.iter_mut().zip(&*complex) {
+            *error = dt * dt / 12.0 * r.re;
+        }
+        structure.farthest(middle)
+    }
+
+    fn undo(&mut self) {}
+}
+
+impl Integrator for Gauss {
+    fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
+        self.make(structure, state, self.step, t_1, counts)?;
+        counts.steps += 1;
+        Ok(())
+    }
+}

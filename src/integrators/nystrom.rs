@@ -1,0 +1,116 @@
+//! The explicit Runge–Kutta–Nyström method RKN4(3)4FM of Dormand, El-Mikkawy and Prince (1987): order 4, with a solution of
+//! order 3 beside it for an error estimate.
+//!
+//! aᵢ = M⁻¹(Q_w − Q_e(u₀ + cᵢ Δt v₀ + Δt² Σ αᵢⱼ aⱼ)),  u₁ = u₀ + Δt v₀ + Δt² Σ bᵢ aᵢ,  v₁ = v₀ + Δt Σ b'ᵢ aᵢ. The last stage is the end of
+//! the step and the first of the next, so that a step costs three forces. Stable up to Δt ω = 3.7718 for the largest angular
+//! frequency ω, and damping on the way: a vibration loses 3·10⁻⁴ of its amplitude a step at Δt ω = 1, 2 % at 2.
+
+use nalgebra::DVector;
+
+use super::{Embedded, Integrator, Motion, State, check_step};
+use crate::counts::Counts;
+use crate::error::{Error, Result};
+use crate::scene::Method;
+use crate::structure::Structure;
+
+/// Largest Δt ω at which no vibration grows.
+const LIMIT: f64 = 3.7718;
+
+const STAGES: usize = 4;
+const C: [f64; STAGES] = [0.0, 1.0 / 4.0, 7.0 / 10.0, 1.0];
+const ALPHA: [[f64; 3]; STAGES] = [
+    [0.0; 3],
+    [1.0 / 32.0, 0.0, 0.0],
+    [7.0 / 1000.0, 119.0 / 500.0, 0.0],
+    // The weights of u₁.
+    [1.0 / 14.0, 8.0 / 27.0, 25.0 / 189.0],
+];
+const B_RATE: [f64; STAGES] = [1.0 / 14.0, 32.0 / 81.0, 250.0 / 567.0, 5.0 / 54.0];
+/// Weights of order 3 for u₁.
+const B_LOW: [f64; STAGES] = [-7.0 / 150.0, 67.0 / 150.0, 3.0 / 20.0, -1.0 / 20.0];
+
+/// The method with the accelerations of its stages.
+#[derive(Debug)]
+pub struct Nystrom {
+    step: f64,
+    motion: Motion,
+    /// Of the stages; the first is that of the step's start.
+    a: [DVector<f64>; STAGES],
+    u: DVector<f64>,
+    error: DVector<f64>,
+}
+
+impl Nystrom {
+    /// A method with step `step` (s), starting at `state`.
+    ///
+    /// # Errors
+    /// [`Error::StepTooLarge`] over the stability limit of the largest frequency, as for [`Explicit`](super::Explicit);
+    /// [`Error::Singular`] for a singular mass matrix.
+    pub fn new(structure: &Structure, state: &State, step: f64, counts: &mut Counts) -> Result<Nystrom> {
+        check_step(structure, Method::Nystrom, step, LIMIT)?;
+        Nystrom::unchecked(structure, state, step, counts)
+    }
+
+    /// The same for steps whose error is estimated: it grows where the method is not stable.
+    ///
+    /// # Errors
+    /// [`Error::Singular`] for a singular mass matrix.
+    pub fn unchecked(structure: &Structure, state: &State, step: f64, counts: &mut Counts) -> Result<Nystrom> {
+        let mut motion = Motion::new(structure, counts)?;
+        motion.accelerate(structure, &state.u, state.t, counts);
+        let zeros = || DVector::zeros(structure.size());
+        let mut a: [DVector<f64>; STAGES] = std::array::from_fn(|_| zeros());
+        a[STAGES - 1].copy_from(&motion.a);
+        Ok(Nystrom { step, motion, a, u: zeros(), error: zeros() })
+    }
+}
+
+impl Embedded for Nystrom {
+    const ORDER: u8 = 3;
+
+    fn make(&mut self, structure: &Structure, state: &mut State, dt: f64, t_1: f64, counts: &mut Counts) -> Result<()> {
+        let Nystrom { motion, a, u, .. } = self;
+        // The last stage of the step before is the first of this one.
+        a.swap(0, STAGES - 1);
+        for stage in 1..STAGES {
+            u.copy_from(&state.u);
+            u.axpy(C[stage] * dt, &state.v, 1.0);
+            for (alpha, a) in ALPHA[stage].iter().zip(&a[..stage]) {
+                u.axpy(alpha * dt * dt, a, 1.0);
+            }
+            motion.accelerate(structure, u, t_1 - (1.0 - C[stage]) * dt, counts);
+            a[stage].copy_from(&motion.a);
+        }
+        state.u.copy_from(u);
+        for (weight, a) in B_RATE.iter().zip(&*a) {
+            state.v.axpy(weight * dt, a, 1.0);
+        }
+        // A sum drops no NaN.
+        if !a[STAGES - 1].sum().is_finite() {
+            return Err(Error::NotFinite { quantity: "the acceleration", time: t_1, step: state.step + 1 });
+        }
+        state.advance(t_1);
+        Ok(())
+    }
+
+    fn error(&mut self, structure: &Structure, _: &State, _: &State, dt: f64, _: &mut Counts) -> f64 {
+        self.error.fill(0.0);
+        for (stage, a) in self.a.iter().enumerate() {
+            let high = ALPHA[STAGES - 1].get(stage).unwrap_or(&0.0);
+            self.error.axpy((high - B_LOW[stage]) * dt * dt, a, 1.0);
+        }
+        structure.farthest(&self.error)
+    }
+
+    fn undo(&mut self) {
+        self.a.swap(0, STAGES - 1);
+    }
+}
+
+impl Integrator for Nystrom {
+    fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
+        self.make(structure, state, self.step, t_1, counts)?;
+        counts.steps += 1;
+        Ok(())
+    }
+}
