@@ -8,7 +8,7 @@ use ancf::error::{Error, Result};
 use ancf::report::{self, Files};
 use ancf::run::run_with_progress;
 use ancf::scene::{Scene, Scissors, ThermalModel, builtin_names, builtin_text};
-use ancf::study;
+use ancf::study::{self, error_time};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -42,6 +42,32 @@ enum Command {
         #[command(flatten)]
         out: Out,
         // Last, as the heading of its options holds for what follows.
+        #[command(flatten)]
+        scissors: ScissorsOptions,
+    },
+    /// Error against run time: every method, mesh and step, beside converged references; writes error-time.csv, .json, .svg
+    /// and .html.
+    ErrorTime {
+        /// Scenes of the study; all of them if none is named.
+        #[arg(value_name = "SCENE")]
+        scenes: Vec<String>,
+        #[command(flatten)]
+        out: Out,
+        /// Runs of another program, as `python -m oracle.peers` writes them [default: peers.csv in the folder of --out, if it
+        /// is there].
+        #[arg(long, value_name = "FILE")]
+        peers: Option<PathBuf>,
+        /// Write the converged references of the scenes instead, into DIR or fixtures/converged.
+        #[arg(long, value_name = "DIR", num_args = 0..=1, require_equals = true, default_missing_value = "fixtures/converged")]
+        references: Option<PathBuf>,
+        /// A coarse grid: of the flexible pendulum, if no scene is named.
+        #[arg(long)]
+        quick: bool,
+    },
+    /// Say what is computed for a scene, what is left out, and why.
+    Plan {
+        /// Name of a built-in scene, or path of a scene file.
+        scene: String,
         #[command(flatten)]
         scissors: ScissorsOptions,
     },
@@ -104,6 +130,12 @@ fn main() -> ExitCode {
     let outcome = match &cli.command {
         None => study::main_job(&cli.out.folder, print),
         Some(Command::Run { scene, out, scissors }) => run_scene(scene, scissors, &out.folder),
+        Some(Command::ErrorTime { scenes, references: Some(folder), .. }) => write_references(scenes, folder),
+        Some(Command::ErrorTime { scenes, out, peers, quick, .. }) => {
+            let options = error_time::Options { scenes: scenes.clone(), peers: peers.clone(), quick: *quick };
+            error_time::study(&options, &out.folder, print)
+        }
+        Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
         Some(Command::Scenes) => list_scenes(),
         Some(Command::Scene { name, scissors }) => print_scene(name, scissors),
     };
@@ -119,10 +151,7 @@ fn main() -> ExitCode {
 
 /// `ancf run`.
 fn run_scene(name: &str, options: &ScissorsOptions, folder: &Path) -> Result<()> {
-    let scene = match options.change(name)? {
-        Some(scissors) => scissors.scene()?,
-        None => Scene::load(name)?,
-    };
+    let scene = load(name, options)?;
     // First, so that a folder that cannot be written is not found after the run.
     let files = Files::in_folder(folder)?;
     let bar = progress(scene.steps());
@@ -132,6 +161,26 @@ fn run_scene(name: &str, options: &ScissorsOptions, folder: &Path) -> Result<()>
     let paths = report::write_run(files, &scene, &run)?;
     let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
     print(&(report::run_text(&scene, &run) + &written))
+}
+
+/// The scene of a name or path, with the changes that options ask for.
+fn load(name: &str, options: &ScissorsOptions) -> Result<Scene> {
+    match options.change(name)? {
+        Some(scissors) => scissors.scene(),
+        None => Scene::load(name),
+    }
+}
+
+/// `ancf plan`.
+fn print_plan(name: &str, options: &ScissorsOptions) -> Result<()> {
+    let scene = load(name, options)?;
+    print(&report::plan_text(&scene))
+}
+
+/// `ancf error-time --references`.
+fn write_references(scenes: &[String], folder: &Path) -> Result<()> {
+    let paths = error_time::references(scenes, folder)?;
+    print(&paths.iter().map(|file| format!("wrote {}\n", file.display())).collect::<String>())
 }
 
 /// A bar with the time left, on a terminal; nothing in a pipe.

@@ -1,7 +1,8 @@
-//! The main job: the paper's Sections 3 and 4, recomputed and compared with the oracles.
+//! The main job: the paper's Sections 3 and 4, recomputed and compared with the oracles; and [`error_time`], error against run time.
 
 mod claims;
 mod continuum;
+pub mod error_time;
 mod figure;
 mod locking;
 mod oracle;
