@@ -4,10 +4,13 @@
 //! new one would not pay: a factorisation costs as much as a few iterations. Where it fails the iterate goes back and
 //! a new matrix is made: nothing converges worse than with a new one each time.
 
+use nalgebra::DVector;
+
 use crate::counts::Counts;
 use crate::error::{Error, Result};
+use crate::kernel::ThermalStrain;
 use crate::linear::SingularAt;
-use crate::structure::Structure;
+use crate::structure::{Factors, Structure};
 
 /// More new matrices than this never helped: where Newton converges at all it takes three to eight.
 const MOST_MATRICES: usize = 30;
@@ -49,6 +52,52 @@ pub trait Equations {
 
     /// Takes the last improvement back.
     fn undo(&mut self);
+}
+
+/// The unknown of a step, an increment of the displacement, with what an iteration needs beside it.
+#[derive(Debug)]
+pub struct Increment {
+    /// The unknown, with multipliers in their places.
+    pub du: DVector<f64>,
+    /// The displacement at the step's start with it.
+    pub u: DVector<f64>,
+    /// What should vanish.
+    pub value: DVector<f64>,
+    /// The last improvement of `du`.
+    improvement: DVector<f64>,
+    /// Of the matrix.
+    pub factors: Factors,
+}
+
+impl Increment {
+    /// Memory for a structure's increments.
+    pub fn new(structure: &Structure) -> Increment {
+        let zeros = || DVector::zeros(structure.size());
+        Increment { du: zeros(), u: zeros(), value: zeros(), improvement: zeros(), factors: structure.factors() }
+    }
+
+    /// Moves `u` to the increment from `u_0`.
+    pub fn move_from(&mut self, u_0: &DVector<f64>) {
+        self.u.copy_from(u_0);
+        self.u += &self.du;
+    }
+
+    /// Whether no entry of what should vanish is above `times` the rounding error of the elastic forces.
+    pub fn at_rounding(&self, structure: &Structure, thermal: &[ThermalStrain], times: f64) -> bool {
+        structure.within_rounding(&self.value, &self.u, thermal, times)
+    }
+
+    /// [`Equations::improve`].
+    pub fn improve(&mut self) {
+        self.improvement.copy_from(&self.value);
+        self.factors.solve(&mut self.improvement);
+        self.du -= &self.improvement;
+    }
+
+    /// [`Equations::undo`].
+    pub fn undo(&mut self) {
+        self.du += &self.improvement;
+    }
 }
 
 /// What an iteration knows from earlier ones.

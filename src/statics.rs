@@ -13,8 +13,8 @@ use crate::error::{Error, Result};
 use crate::integrators::{Integrator, State};
 use crate::kernel::ThermalStrain;
 use crate::linear::SingularAt;
-use crate::newton::{Equations, Newton, Residual};
-use crate::structure::{Factors, Matrix, Structure};
+use crate::newton::{Equations, Increment, Newton, Residual};
+use crate::structure::{Matrix, Structure};
 
 /// Load steps; the load factor takes the place of time.
 #[derive(Debug)]
@@ -26,17 +26,12 @@ pub struct Statics {
 /// What a load step works on.
 #[derive(Debug)]
 struct Memory {
-    /// Increment of the displacement; that of the last load step is the guess for the next.
-    du: DVector<f64>,
-    /// The displacement, and the one before the last improvement.
-    u: DVector<f64>,
+    /// That of the last load step is the guess for the next.
+    increment: Increment,
+    /// The displacement before the last improvement.
     before: DVector<f64>,
-    improvement: DVector<f64>,
-    /// What should vanish.
-    value: DVector<f64>,
     load: DVector<f64>,
     thermal: Vec<ThermalStrain>,
-    factors: Factors,
 }
 
 impl Statics {
@@ -44,14 +39,10 @@ impl Statics {
     pub fn new(structure: &Structure, newton: Newton) -> Statics {
         let zeros = || DVector::zeros(structure.size());
         let memory = Memory {
-            du: zeros(),
-            u: zeros(),
+            increment: Increment::new(structure),
             before: zeros(),
-            improvement: zeros(),
-            value: zeros(),
             load: zeros(),
             thermal: structure.thermal_strains(0.0),
-            factors: structure.factors(),
         };
         Statics { newton, memory }
     }
@@ -69,9 +60,9 @@ struct Step<'a> {
 
 impl Equations for Step<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
-        let Memory { du, u, value, load, thermal, .. } = &mut *self.memory;
-        u.copy_from(self.u_0);
-        *u += &*du;
+        let Memory { increment, load, thermal, .. } = &mut *self.memory;
+        increment.move_from(self.u_0);
+        let Increment { u, value, .. } = increment;
         self.structure.force(u, thermal, value);
         counts.force_calls += 1;
         let largest_term = self.structure.largest(value).max(self.largest_load);
@@ -80,28 +71,23 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        let Memory { u, value, thermal, .. } = &*self.memory;
-        self.structure.within_rounding(value, u, thermal, times)
+        self.memory.increment.at_rounding(self.structure, &self.memory.thermal, times)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
-        let Memory { u, before, thermal, factors, .. } = &mut *self.memory;
+        let Memory { increment: Increment { u, factors, .. }, before, thermal, .. } = &mut *self.memory;
         let before = if self.improved { &*before } else { &*u };
         self.structure.factorize(Matrix::Mixed { before, u, thermal }, factors)
     }
 
     fn improve(&mut self) {
-        let Memory { du, u, before, improvement, value, factors, .. } = &mut *self.memory;
-        before.copy_from(u);
+        self.memory.before.copy_from(&self.memory.increment.u);
         self.improved = true;
-        improvement.copy_from(value);
-        factors.solve(improvement);
-        *du -= &*improvement;
+        self.memory.increment.improve();
     }
 
     fn undo(&mut self) {
-        let Memory { du, improvement, .. } = &mut *self.memory;
-        *du += &*improvement;
+        self.memory.increment.undo();
     }
 }
 
@@ -113,7 +99,7 @@ impl Integrator for Statics {
         let largest_load = structure.largest(&memory.load);
         let mut step = Step { structure, u_0: &state.u, memory, largest_load, improved: false };
         newton.solve(structure, t_1, &mut step, counts).map_err(no_equilibrium)?;
-        state.u += &memory.du;
+        state.u += &memory.increment.du;
         state.advance(t_1);
         counts.steps += 1;
         Ok(())

@@ -12,8 +12,8 @@ use crate::counts::Counts;
 use crate::error::Result;
 use crate::kernel::ThermalStrain;
 use crate::linear::SingularAt;
-use crate::newton::{Equations, Newton, Residual};
-use crate::structure::{Factors, Matrix, StepEnds, Structure};
+use crate::newton::{Equations, Increment, Newton, Residual};
+use crate::structure::{Matrix, StepEnds, Structure};
 
 /// The method with its step and Newton's tolerance.
 #[derive(Debug)]
@@ -27,13 +27,7 @@ pub struct EnergyMomentum {
 #[derive(Debug)]
 struct Memory {
     /// The unknown: the increment of u.
-    du: DVector<f64>,
-    /// u₁.
-    u: DVector<f64>,
-    /// Last improvement of `du`.
-    improvement: DVector<f64>,
-    /// What should vanish.
-    value: DVector<f64>,
+    increment: Increment,
     /// Q̄.
     elastic: DVector<f64>,
     /// 2 (du − Δt v₀)/Δt².
@@ -41,7 +35,6 @@ struct Memory {
     /// External force averaged over the step: its work is that average times the displacement.
     load: DVector<f64>,
     thermal: [Vec<ThermalStrain>; 2],
-    factors: Factors,
 }
 
 impl EnergyMomentum {
@@ -49,15 +42,11 @@ impl EnergyMomentum {
     pub fn new(structure: &Structure, step: f64, newton: Newton) -> EnergyMomentum {
         let zeros = || DVector::zeros(structure.size());
         let memory = Memory {
-            du: zeros(),
-            u: zeros(),
-            improvement: zeros(),
-            value: zeros(),
+            increment: Increment::new(structure),
             elastic: zeros(),
             a: zeros(),
             load: zeros(),
             thermal: [structure.thermal_strains(0.0), structure.thermal_strains(0.0)],
-            factors: structure.factors(),
         };
         EnergyMomentum { step, newton, memory }
     }
@@ -80,9 +69,9 @@ fn ends<'a>(u_0: &'a DVector<f64>, u_1: &'a DVector<f64>, thermal: &'a [Vec<Ther
 
 impl Equations for Step<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
-        let Memory { du, u, value, elastic, a, load, thermal, .. } = &mut *self.memory;
-        u.copy_from(&self.state.u);
-        *u += &*du;
+        let Memory { increment, elastic, a, load, thermal } = &mut *self.memory;
+        increment.move_from(&self.state.u);
+        let Increment { du, u, value, .. } = increment;
         self.structure.mean_force(&ends(&self.state.u, u, thermal), elastic);
         counts.force_calls += 1;
         // M (v₁ − v₀)/Δt = 2/Δt² M (du − Δt v₀) keeps its digits at small steps.
@@ -97,26 +86,21 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        let Memory { u, value, thermal, .. } = &*self.memory;
-        self.structure.within_rounding(value, u, &thermal[1], times)
+        self.memory.increment.at_rounding(self.structure, &self.memory.thermal[1], times)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
-        let Memory { u, thermal, factors, .. } = &mut *self.memory;
+        let Memory { increment: Increment { u, factors, .. }, thermal, .. } = &mut *self.memory;
         let mass = 2.0 / (self.dt * self.dt);
         self.structure.factorize(Matrix::Mean { ends: ends(&self.state.u, u, thermal), mass }, factors)
     }
 
     fn improve(&mut self) {
-        let Memory { du, improvement, value, factors, .. } = &mut *self.memory;
-        improvement.copy_from(value);
-        factors.solve(improvement);
-        *du -= &*improvement;
+        self.memory.increment.improve();
     }
 
     fn undo(&mut self) {
-        let Memory { du, improvement, .. } = &mut *self.memory;
-        *du += &*improvement;
+        self.memory.increment.undo();
     }
 }
 
@@ -126,18 +110,18 @@ impl Integrator for EnergyMomentum {
         structure.thermal_strains_into(state.t, &mut memory.thermal[0]);
         structure.thermal_strains_into(t_1, &mut memory.thermal[1]);
         structure.load_into(state.t, &mut memory.load);
-        structure.load_into(t_1, &mut memory.value);
-        memory.load += &memory.value;
+        structure.load_into(t_1, &mut memory.increment.value);
+        memory.load += &memory.increment.value;
         memory.load *= 0.5;
-        memory.du.copy_from(&state.v);
-        memory.du *= *dt;
+        memory.increment.du.copy_from(&state.v);
+        memory.increment.du *= *dt;
         let largest_load = structure.largest(&memory.load);
         let mut step = Step { structure, dt: *dt, state, memory, largest_load };
         newton.solve(structure, t_1, &mut step, counts)?;
 
         // v₁ = 2 du/Δt − v₀.
-        state.v.axpy(2.0 / *dt, &memory.du, -1.0);
-        state.u += &memory.du;
+        state.v.axpy(2.0 / *dt, &memory.increment.du, -1.0);
+        state.u += &memory.increment.du;
         state.advance(t_1);
         counts.steps += 1;
         Ok(())

@@ -22,8 +22,8 @@ use crate::counts::Counts;
 use crate::error::Result;
 use crate::kernel::ThermalStrain;
 use crate::linear::SingularAt;
-use crate::newton::{Equations, Newton, Residual};
-use crate::structure::{Factors, Matrix, Structure};
+use crate::newton::{Equations, Increment, Newton, Residual};
+use crate::structure::{Matrix, Structure};
 
 /// The method with its parameters and the acceleration that it carries along.
 #[derive(Debug)]
@@ -51,13 +51,7 @@ struct Weights {
 #[derive(Debug)]
 struct Memory {
     /// The unknowns: the increment of u, and λ₁ in their places.
-    du: DVector<f64>,
-    /// u₁.
-    u: DVector<f64>,
-    /// Last improvement of `du`.
-    improvement: DVector<f64>,
-    /// What should vanish.
-    value: DVector<f64>,
+    increment: Increment,
     /// (1 − α_m) a₁ + α_m a₀.
     a: DVector<f64>,
     /// (Q_e + Φ_qᵀ λ)₁.
@@ -67,7 +61,6 @@ struct Memory {
     /// f₁.
     load: DVector<f64>,
     thermal: Vec<ThermalStrain>,
-    factors: Factors,
 }
 
 impl GeneralizedAlpha {
@@ -92,16 +85,12 @@ impl GeneralizedAlpha {
         let multipliers = structure.take_multipliers(&mut a);
         let zeros = || DVector::zeros(structure.size());
         let memory = Memory {
-            du: zeros(),
-            u: zeros(),
-            improvement: zeros(),
-            value: zeros(),
+            increment: Increment::new(structure),
             a: zeros(),
             elastic: zeros(),
             unbalanced: -structure.inertia(&a),
             load: zeros(),
             thermal: structure.thermal_strains(state.t),
-            factors: structure.factors(),
         };
         let weights = Weights { step, alpha_m, alpha_f, beta, gamma };
         Ok(GeneralizedAlpha { weights, newton, a, multipliers, memory })
@@ -122,9 +111,9 @@ struct Step<'a> {
 impl Equations for Step<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
         let Weights { step: dt, alpha_m, alpha_f, beta, .. } = self.weights;
-        let Memory { du, u, value, a, elastic, unbalanced, load, thermal, .. } = &mut *self.memory;
-        u.copy_from(&self.state.u);
-        *u += &*du;
+        let Memory { increment, a, elastic, unbalanced, load, thermal } = &mut *self.memory;
+        increment.move_from(&self.state.u);
+        let Increment { du, u, value, .. } = increment;
         self.structure.force(u, thermal, elastic);
         counts.force_calls += 1;
         self.structure.add_constraint_forces(du, elastic);
@@ -143,27 +132,22 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        let Memory { u, value, thermal, .. } = &*self.memory;
-        self.structure.within_rounding(value, u, thermal, times)
+        self.memory.increment.at_rounding(self.structure, &self.memory.thermal, times)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
         let Weights { step: dt, alpha_m, alpha_f, beta, .. } = self.weights;
-        let Memory { u, thermal, factors, .. } = &mut *self.memory;
+        let Memory { increment: Increment { u, factors, .. }, thermal, .. } = &mut *self.memory;
         let (stiffness, mass) = (1.0 - alpha_f, (1.0 - alpha_m) / (beta * dt * dt));
         self.structure.factorize(Matrix::Tangent { u, thermal, stiffness, mass }, factors)
     }
 
     fn improve(&mut self) {
-        let Memory { du, improvement, value, factors, .. } = &mut *self.memory;
-        improvement.copy_from(value);
-        factors.solve(improvement);
-        *du -= &*improvement;
+        self.memory.increment.improve();
     }
 
     fn undo(&mut self) {
-        let Memory { du, improvement, .. } = &mut *self.memory;
-        *du += &*improvement;
+        self.memory.increment.undo();
     }
 }
 
@@ -173,9 +157,9 @@ impl Integrator for GeneralizedAlpha {
         let GeneralizedAlpha { newton, a: a_0, multipliers, memory, weights } = self;
         structure.thermal_strains_into(t_1, &mut memory.thermal);
         structure.load_into(t_1, &mut memory.load);
-        memory.du.copy_from(multipliers);
-        memory.du.axpy(dt, &state.v, 1.0);
-        memory.du.axpy(0.5 * dt * dt, a_0, 1.0);
+        memory.increment.du.copy_from(multipliers);
+        memory.increment.du.axpy(dt, &state.v, 1.0);
+        memory.increment.du.axpy(0.5 * dt * dt, a_0, 1.0);
         let largest_given = structure.largest(&memory.unbalanced).max(structure.largest(&memory.load));
         let mut step = Step { structure, weights: *weights, state, a_0, memory, largest_given };
         newton.solve(structure, t_1, &mut step, counts)?;
@@ -183,16 +167,16 @@ impl Integrator for GeneralizedAlpha {
         // The last residual's forces are those of the solution.
         memory.unbalanced.copy_from(&memory.elastic);
         memory.unbalanced -= &memory.load;
-        structure.take_multipliers_into(&mut memory.du, multipliers);
+        structure.take_multipliers_into(&mut memory.increment.du, multipliers);
         // v₁ = v₀ + Δt [(1 − γ) a₀ + γ a₁], a₁ as above.
-        let v_0 = &mut memory.value;
+        let Increment { du, value: v_0, .. } = &mut memory.increment;
         v_0.copy_from(&state.v);
         state.v.axpy(dt * (1.0 - gamma), a_0, 1.0);
         *a_0 *= 1.0 - 0.5 / beta;
-        a_0.axpy(1.0 / (beta * dt * dt), &memory.du, 1.0);
+        a_0.axpy(1.0 / (beta * dt * dt), du, 1.0);
         a_0.axpy(-1.0 / (beta * dt), v_0, 1.0);
         state.v.axpy(dt * gamma, a_0, 1.0);
-        state.u += &memory.du;
+        state.u += &*du;
         state.advance(t_1);
         counts.steps += 1;
         Ok(())

@@ -11,7 +11,7 @@ use super::{BandLu, BandMatrix, SingularAt};
 /// Part of the largest entry of a solution below which an entry is nothing.
 const NOTHING: f64 = 1e-100;
 
-/// In shorter vectors nothing underflows: an element passes on a hundredth and more of what acts on the next.
+/// In a shorter vector entries would have to fall to a third of the one before, all along, to become so small.
 const LONG: usize = 200;
 
 /// The factors, or memory for them.

@@ -29,7 +29,7 @@ pub(super) fn check_time(time: &Time) -> Check {
         let allowed = format_args!("at least {:.9e} s, for {MOST_STEPS:e} steps at most", end / MOST_STEPS);
         require(steps <= MOST_STEPS, "time.step", format_args!("{step:?}"), allowed)?;
         if !method.is_adaptive() {
-            whole("time.end", end, step)?;
+            whole("time.end", end, ("time.step", step))?;
         }
         positive("time.tolerance", tolerance)?;
     }
@@ -55,12 +55,12 @@ pub(super) fn check_output(scene: &Scene) -> Check {
     if let Some(interval) = scene.output.interval {
         positive(key, interval)?;
         if scene.time.method.is_adaptive() {
-            whole("time.end", end, interval)?;
+            whole("time.end", end, (key, interval))?;
         } else {
-            whole(key, interval, step)?;
+            whole(key, interval, ("time.step", step))?;
         }
     } else if scene.time.method.is_adaptive() {
-        whole("time.end", end, step)?;
+        whole("time.end", end, ("time.step", step))?;
     }
     let interval = scene.output.interval.unwrap_or(step);
     let rows = end / interval;
@@ -70,12 +70,12 @@ pub(super) fn check_output(scene: &Scene) -> Check {
 }
 
 /// Refuses a duration that is not a whole number of steps.
-fn whole(key: &str, duration: f64, step: f64) -> Check {
+fn whole(key: &str, duration: f64, (unit, step): (&str, f64)) -> Check {
     let count = duration / step;
     let holds = count > 0.5 && (count - count.round()).abs() <= (WHOLE.0 * count).min(WHOLE.1);
     let fitting = duration / count.ceil().max(1.0);
     let allowed = format_args!(
-        "a whole number of steps of `time.step` = {step:?} s, not {count:.6}; a step of {fitting:.9e} s divides it"
+        "a whole number of steps of `{unit}` = {step:?} s, not {count:.6}; a step of {fitting:.9e} s divides it"
     );
     require(holds, key, format_args!("{duration:?}"), allowed)
 }

@@ -71,7 +71,8 @@ pub const CASES: [Case; 6] = [
         meshes: &[1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64, 128],
         smooth: false,
         coarsest: 64,
-        witnesses: [(Method::Explicit, 1), (Method::Gauss, 512)],
+        // Undamped waves of the shock stop Newton's iteration on some meshes: two explicit methods of different order.
+        witnesses: [(Method::Explicit, 1), (Method::Nystrom, 1)],
         continuum: Some(Continuum::Solid("2d-sudden")),
         ..PENDULUM
     },
