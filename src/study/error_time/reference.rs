@@ -98,6 +98,8 @@ const EMBEDDED: &[(&str, &str)] = &[
         "scissors-3-thermal-euler-bernoulli.json",
         include_str!("../../../fixtures/converged/scissors-3-thermal-euler-bernoulli.json"),
     ),
+    ("pendulum-2d-ancf.json", include_str!("../../../fixtures/converged/pendulum-2d-ancf.json")),
+    ("pendulum-2d-euler-bernoulli.json", include_str!("../../../fixtures/converged/pendulum-2d-euler-bernoulli.json")),
     ("pendulum-2d-relaxed-ancf.json", include_str!("../../../fixtures/converged/pendulum-2d-relaxed-ancf.json")),
     (
         "pendulum-2d-relaxed-euler-bernoulli.json",
