@@ -13,6 +13,7 @@ use nalgebra::{SMatrix, SVector, Vector2};
 
 pub use ancf::{Ancf, Law};
 pub use cable::Cable;
+pub use plane::LANES;
 
 /// Thermal strain (along, across) in the rod's own axes; both α_T ΔT in the 2D model, (α_T ΔT, 0) in the 1D one.
 pub type ThermalStrain = [f64; 2];
@@ -62,6 +63,9 @@ pub trait Beam<const N: usize> {
     /// Elastic forces ∂U/∂e, N and N m, of the displacement `u` = e − e₀.
     fn force(&self, u: &SVector<f64, N>, eps_T: ThermalStrain) -> SVector<f64, N>;
 
+    /// The same of elements side by side.
+    fn forces(&self, u: &[SVector<f64, N>; LANES], eps_T: ThermalStrain) -> [SVector<f64, N>; LANES];
+
     /// Tangent ∂Q_e/∂e, symmetric.
     fn tangent(&self, u: &SVector<f64, N>, eps_T: ThermalStrain) -> SMatrix<f64, N, N>;
 
@@ -76,6 +80,9 @@ pub trait Beam<const N: usize> {
     /// strains whose product with u₁ − u₀ is exactly their change. So its work is exactly the change of strain energy plus the
     /// [`heating_work`](Beam::heating_work) taken off: Q̄·(u₁ − u₀) = U₁ − U₀ + ∫ σ̄ : (ε_T1 − ε_T0) dV.
     fn mean_force(&self, ends: &Ends<SVector<f64, N>>) -> SVector<f64, N>;
+
+    /// The same of elements side by side.
+    fn mean_forces(&self, ends: &Ends<[SVector<f64, N>; LANES]>) -> [SVector<f64, N>; LANES];
 
     /// Derivative of [`mean_force`](Beam::mean_force) with respect to `u_1`; not symmetric.
     fn mean_tangent(&self, ends: &Ends<SVector<f64, N>>) -> SMatrix<f64, N, N>;

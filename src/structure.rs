@@ -15,6 +15,7 @@
 mod build;
 mod constraints;
 mod frequency;
+mod mass;
 mod matrix;
 mod mesh;
 mod mobility;
@@ -35,6 +36,7 @@ use crate::linear::{Bordered, Chain, Chains, Filling, Layout, Number, SingularAt
 use crate::plan::Plan;
 use crate::scene::Force;
 
+pub use mass::MassFactors;
 pub use matrix::{Factors, Matrix};
 pub use probes::Instant;
 

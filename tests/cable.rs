@@ -123,6 +123,23 @@ proptest! {
         assert_within("∂Q_e/∂e", &rows(&kernel.tangent(&u, [eps_T, 0.0])), &rows(&K), &s.tangent());
     }
 
+    /// Elements side by side are the same elements, to the last bit: every lane the one in it.
+    #[test]
+    fn elements_side_by_side_are_the_same(s in states()) {
+        let (kernel, u, eps_T) = (s.cable(), [s.u(0), s.u(1)], s.eps_T);
+        let each = |of: &dyn Fn(f64) -> Vector8| [1.0, -0.5, 0.25, 0.0].map(of);
+        let (u_0, u_1) = (each(&|share| share * u[0]), each(&|share| u[1] * (1.0 - share)));
+        for (u, side_by_side) in u_0.iter().zip(kernel.forces(&u_0, eps_T)) {
+            prop_assert_eq!(kernel.force(u, eps_T), side_by_side);
+        }
+        let Ends { thermal_0, thermal_1, .. } = s.ends(&u);
+        let side_by_side = kernel.mean_forces(&Ends { u_0: &u_0, u_1: &u_1, thermal_0, thermal_1 });
+        for (lane, force) in side_by_side.into_iter().enumerate() {
+            let ends = Ends { u_0: &u_0[lane], u_1: &u_1[lane], thermal_0, thermal_1 };
+            prop_assert_eq!(kernel.mean_force(&ends), force);
+        }
+    }
+
     /// Heat across the rod finds no section to thicken.
     #[test]
     fn only_axial_heat_counts(s in states(), across in -1.0..1.0) {

@@ -181,8 +181,8 @@ fn the_residual_with_constraint_forces() {
 fn consistent_accelerations_and_multipliers() {
     every_case(|ours| {
         let mut counts = Counts::default();
-        let factors = mass_factors(&ours.structure, &mut counts).unwrap();
-        let mut a = acceleration(&ours.structure, &factors, &ours.u(), ours.t, &mut counts);
+        let mut factors = mass_factors(&ours.structure, &mut counts).unwrap();
+        let mut a = acceleration(&ours.structure, &mut factors, &ours.u(), ours.t, &mut counts);
         let scale = ours.terms.solution_scale();
         let n = ours.coordinates.len();
         let rows = ours.rows_of(&a);
@@ -200,9 +200,9 @@ fn condensed_accelerations_are_those_with_multipliers() {
         let mut scene = Scene::parse(&ours.terms.case["scene"].to_string(), ours.terms.id).unwrap();
         let accelerations = |scene: &Scene| {
             let structure = Structure::new(scene).unwrap();
-            let factors = mass_factors(&structure, &mut Counts::default()).unwrap();
+            let mut factors = mass_factors(&structure, &mut Counts::default()).unwrap();
             let u = DVector::zeros(structure.size());
-            let a = acceleration(&structure, &factors, &u, ours.t, &mut Counts::default());
+            let a = acceleration(&structure, &mut factors, &u, ours.t, &mut Counts::default());
             let names = scene.rods.iter().flat_map(|rod| [Some(&rod.from), Some(&rod.to), rod.pivot.as_ref()]);
             names.flatten().flat_map(|name| structure.at_point(name, &a)).collect::<Vec<f64>>()
         };

@@ -174,8 +174,8 @@ fn a_relaxed_free_rod_is_stress_free() {
     assert!(farthest(&path, &vec![path[0]; path.len()]) <= 1e-12);
 }
 
-/// The explicit limit is a bound of the true one. Taken free, an element is up to 1.4 times faster than where its slopes are its
-/// neighbours' too.
+/// The explicit limit is a bound of the true one, and close to it, although an element taken free is 1.3 to 1.5 times as fast: the
+/// rod is looked at as a whole.
 #[test]
 fn the_frequency_bound_is_a_bound_and_close() {
     for elements in [1, 4, 16] {
@@ -186,8 +186,8 @@ fn the_frequency_bound_is_a_bound_and_close() {
         let lower = structure.mass().dense().cholesky().unwrap().l();
         let half = lower.solve_lower_triangular(&stiffness).unwrap();
         let largest = lower.solve_lower_triangular(&half.transpose()).unwrap().symmetric_eigenvalues().max().sqrt();
-        let bound = structure.largest_frequency();
-        assert!((0.999_999..1.5).contains(&(bound / largest)), "{elements} elements: {bound:e} for {largest:e} rad/s");
+        let bound = structure.largest_frequency().unwrap();
+        assert!((0.999_999..1.1).contains(&(bound / largest)), "{elements} elements: {bound:e} for {largest:e} rad/s");
     }
 }
 
@@ -198,7 +198,7 @@ fn a_rod_turned_inside_out_sets_no_limit() {
         let mut scene = builtin("pendulum-1d");
         scene.material.alpha = 1e-3;
         scene.temperature.as_mut().unwrap().history = vec![[0.0, change]];
-        Structure::new(&scene).unwrap().largest_frequency()
+        Structure::new(&scene).unwrap().largest_frequency().unwrap()
     });
     assert!((0.5..2.0).contains(&(bounds[0] / bounds[1])), "{bounds:?} rad/s");
 }

@@ -142,13 +142,13 @@ impl Moving {
         scene.time.step = step;
         let mut counts = Counts::default();
         let mut method = integrator(scene, &ancf::plan::Plan::of(scene), structure, state, &mut counts).unwrap();
-        let mass = ancf::integrators::mass_factors(structure, &mut counts).unwrap();
+        let mut mass = ancf::integrators::mass_factors(structure, &mut counts).unwrap();
         let start = state.t;
         for n in 1..=count {
             let t = start + n as f64 * step;
             method.step(structure, state, t, &mut counts).unwrap();
             state.t = t;
-            let mut a = ancf::integrators::acceleration(structure, &mass, &state.u, t, &mut counts);
+            let mut a = ancf::integrators::acceleration(structure, &mut mass, &state.u, t, &mut counts);
             structure.take_multipliers(&mut a);
             let none = DVector::zeros(structure.size());
             let multipliers = if structure.multiplier(0).is_some() { method.multipliers().unwrap() } else { &none };

@@ -80,8 +80,8 @@ impl GeneralizedAlpha {
         let alpha_m = (2.0 * rho_inf - 1.0) / (rho_inf + 1.0);
         let alpha_f = rho_inf / (rho_inf + 1.0);
         let (beta, gamma) = (0.25 * (1.0 - alpha_m + alpha_f).powi(2), 0.5 - alpha_m + alpha_f);
-        let mass = mass_factors(structure, counts)?;
-        let mut a = acceleration(structure, &mass, &state.u, state.t, counts);
+        let mut mass = mass_factors(structure, counts)?;
+        let mut a = acceleration(structure, &mut mass, &state.u, state.t, counts);
         let multipliers = structure.take_multipliers(&mut a);
         let zeros = || DVector::zeros(structure.size());
         let memory = Memory {

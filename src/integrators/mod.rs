@@ -17,7 +17,7 @@ use crate::newton::Newton;
 use crate::plan::Plan;
 use crate::scene::{Method, Scene};
 use crate::statics::Statics;
-use crate::structure::{Factors, Matrix, Structure};
+use crate::structure::{MassFactors, Structure};
 
 pub use adaptive::{Adaptive, Embedded};
 pub use energy_momentum::EnergyMomentum;
@@ -109,22 +109,20 @@ pub fn integrator(
 ///
 /// # Errors
 /// [`Error::Singular`].
-pub fn mass_factors(structure: &Structure, counts: &mut Counts) -> Result<Factors> {
+pub fn mass_factors(structure: &Structure, counts: &mut Counts) -> Result<MassFactors> {
     counts.factorizations += 1;
-    let mut factors = structure.factors();
-    structure.factorize(Matrix::Mass, &mut factors).map_err(|SingularAt(unknown)| Error::Singular {
-        time: 0.0,
-        iteration: 0,
-        place: structure.place(unknown),
-    })?;
-    Ok(factors)
+    structure.factorize_mass().map_err(|at| singular_mass(structure, at))
+}
+
+fn singular_mass(structure: &Structure, SingularAt(unknown): SingularAt) -> Error {
+    Error::Singular { time: 0.0, iteration: 0, place: structure.place(unknown) }
 }
 
 /// Accelerations, and multipliers λ in their places, from the equation of motion:
 /// M q̈ + Φ_qᵀ λ = Q_w − Q_e with Φ_q q̈ = 0, the second derivative of Φ(q) = 0 for constraints that are linear in q.
 pub fn acceleration(
     structure: &Structure,
-    mass: &Factors,
+    mass: &mut MassFactors,
     u: &DVector<f64>,
     t: f64,
     counts: &mut Counts,
@@ -141,7 +139,7 @@ pub fn acceleration(
 /// The equation of motion, ready to be asked for one acceleration after the other.
 #[derive(Debug)]
 pub struct Motion {
-    mass: Factors,
+    mass: MassFactors,
     /// The last acceleration; multipliers, if there are any, in their places.
     pub a: DVector<f64>,
     force: DVector<f64>,
@@ -173,7 +171,7 @@ impl Motion {
 
 /// Refuses an explicit step over the stability limit `limit`/ω of the largest frequency ω.
 fn check_step(structure: &Structure, method: Method, step: f64, limit: f64) -> Result<()> {
-    let frequency = structure.largest_frequency();
+    let frequency = structure.largest_frequency().map_err(|at| singular_mass(structure, at))?;
     let largest = limit / frequency;
     // A limit that is not a number is refused too.
     if step > largest || largest.is_nan() {

@@ -9,22 +9,21 @@
 //!   a₀ = t·p + ½p·p, c = n·δ + ½δ·δ, g₀ = t·δ + n·p + p·δ, a₁ = r'·κ, g₁ = d·κ, a₂ = ½κ·κ. No 1 is
 //!   subtracted from a number near 1, so small strains keep their digits.
 //! * **In coefficients.** p and δ are quadratic in ζ = 2x/l − 1. Sections act on their coefficients by the moments Σ w ζⁿ (…) over the
-//!   Gauss points, two of which are computed at once; a small linear map takes these to the nodes.
+//!   Gauss points; a small linear map takes these to the nodes.
 
 #![allow(non_snake_case)] // The symbols of the derivation are names here: A, I, H, N, eps_T.
 
 mod section;
 
 use nalgebra::Vector2;
-use wide::f64x2;
 
 pub use section::Law;
 use section::{Resultants, Section, SectionLaw, Stiffness};
 
 use super::Meaning::{Position, SlopeX, SlopeY};
 use super::plane::{
-    Block, Linear, Pair, Quadratic, Scalar, Station, Vec2, Vector, add_at, add_moments, add_slope_at, at, coordinates,
-    matrix, nodal, pairs, slope_at, spread, stations, vec2,
+    Block, LANES, Linear, Quadratic, Scalar, Station, Vec2, Vector, add_at, add_moments, add_slope_at, at, coordinates,
+    each, matrix, nodal, side_by_side, slope_at, stations, vec2,
 };
 use super::{Beam, Ends, NodalVector, ThermalStrain};
 use crate::equations::force::Matrix14;
@@ -38,8 +37,7 @@ pub struct Ancf {
     n: Vec2,
     /// 1/l
     per_length: f64,
-    stations: [Station<f64>; 5],
-    pairs: [Station<f64x2>; 3],
+    stations: [Station; 5],
     law: SectionLaw,
 }
 
@@ -47,14 +45,6 @@ pub struct Ancf {
 struct Shape<V> {
     p: Quadratic<V>,
     delta: Quadratic<V>,
-}
-
-impl Shape<Vec2> {
-    /// The same for two stations at once.
-    #[inline(always)]
-    fn pair(&self) -> Shape<Pair> {
-        Shape { p: spread(&self.p), delta: spread(&self.delta) }
-    }
 }
 
 /// Moments Σ w ζⁿ H of the stations' stiffnesses, n = 0 … 4.
@@ -66,7 +56,7 @@ impl Ancf {
         let stations = stations(&GAUSS_5, l);
         let (sin, cos) = theta.sin_cos();
         let law = SectionLaw::new(law, h, w);
-        Ancf { t: vec2(cos, sin), n: vec2(-sin, cos), per_length: 1.0 / l, pairs: pairs(&stations), stations, law }
+        Ancf { t: vec2(cos, sin), n: vec2(-sin, cos), per_length: 1.0 / l, stations, law }
     }
 
     /// The same element with Poisson's terms computed, be they zero or not.
@@ -75,11 +65,10 @@ impl Ancf {
         self
     }
 
-    /// The polynomials of a displacement. A cubic axis through the end points and the middle, with its slope there, has
+    /// The polynomials of a displacement's nodal vectors. A cubic axis through the end points and the middle, with its slope there, has
     /// r' = r'ʲ + 2(rⁱ + rᵏ − 2rʲ)/l ζ + 3((rᵏ − rⁱ)/l − r'ʲ) ζ².
     #[inline(always)]
-    fn shape(&self, u: &Vector14) -> Shape<Vec2> {
-        let [r_i, d_i, r_j, r_x_j, d_j, r_k, d_k] = nodal(u.as_slice());
+    fn shape<V: Vector>(&self, [r_i, d_i, r_j, r_x_j, d_j, r_k, d_k]: [V; 7]) -> Shape<V> {
         // Differences of neighbours first: they carry no rounding error of a displacement far from the start.
         let (first, second) = ((r_j - r_i) * self.per_length, (r_k - r_j) * self.per_length);
         let (d_first, d_second) = (d_j - d_i, d_k - d_j);
@@ -87,6 +76,12 @@ impl Ancf {
             p: [r_x_j, (second - first) * 2.0, (first + second - r_x_j) * 3.0],
             delta: [d_j, (d_first + d_second) * 0.5, (d_second - d_first) * 0.5],
         }
+    }
+
+    /// The same of a displacement's coordinates.
+    #[inline(always)]
+    fn shape_of(&self, u: &Vector14) -> Shape<Vec2> {
+        self.shape(nodal(u.as_slice()))
     }
 
     /// Forces on the nodal vectors from those on the polynomials' coefficients, p's and then δ's: the transpose of
@@ -98,18 +93,18 @@ impl Ancf {
         [p_1 - p_2_end, d_2_end - d_1, p_1 * -2.0, *p_0 - *p_2 * 3.0, *d_0 - *d_2, p_1 + p_2_end, d_2_end + d_1]
     }
 
-    /// Section vectors and elastic strains at a station, or at two.
+    /// Section vectors and elastic strains at a station.
     #[inline(always)]
     fn section<V: Vector>(
         &self,
-        station: &Station<V::Number>,
+        station: &Station,
         shape: &Shape<V>,
         eps_T: ThermalStrain,
     ) -> (Section<V>, Resultants<V::Number>) {
         let [half, along, across] = [0.5, eps_T[0], eps_T[1]].map(V::Number::of);
         let (t, n) = (V::of(self.t), V::of(self.n));
         let (p, delta) = (at(station.zeta, &shape.p), at(station.zeta, &shape.delta));
-        let kappa = slope_at(station.zeta, &shape.delta).times(V::Number::of(2.0 * self.per_length));
+        let kappa = slope_at(station.zeta, &shape.delta) * (2.0 * self.per_length);
         let (r_x, d) = (t + p, n + delta);
         let strains = Resultants {
             a: [t.dot(p) + half * p.dot(p) - along, r_x.dot(kappa), half * kappa.dot(kappa)],
@@ -119,34 +114,55 @@ impl Ancf {
         (Section { r_x, d, kappa }, strains)
     }
 
-    /// Adds the force Bᵀ N of a station, or of two, to those on the coefficients of p and of δ.
+    /// Adds the force Bᵀ N of a station to those on the coefficients of p and of δ.
     #[inline(always)]
     fn add_force<V: Vector>(
         &self,
-        station: &Station<V::Number>,
+        station: &Station,
         section: &Section<V>,
         N: &Resultants<V::Number>,
         [Q_p, Q_delta]: &mut [Quadratic<V>; 2],
     ) {
         let Section { r_x, d, kappa } = *section;
-        let Resultants { a, c, g } = N.map(|force| station.weight * force);
-        let per_half_length = V::Number::of(2.0 * self.per_length);
+        let Resultants { a, c, g } = N.map(|force| V::Number::of(station.weight) * force);
         let f_p = r_x.times(a[0]) + d.times(g[0]) + kappa.times(a[1]);
         let f_delta = d.times(c) + r_x.times(g[0]) + kappa.times(g[1]);
         let f_kappa = r_x.times(a[1]) + d.times(g[1]) + kappa.times(a[2]);
         add_at(station.zeta, f_p, Q_p);
         add_at(station.zeta, f_delta, Q_delta);
-        add_slope_at(station.zeta, f_kappa.times(per_half_length), Q_delta);
+        add_slope_at(station.zeta, f_kappa * (2.0 * self.per_length), Q_delta);
     }
 
-    /// Nodal forces from those on the coefficients of two stations at once.
+    /// Forces on the nodal vectors of a displacement, of one element or of several side by side.
     #[inline(always)]
-    fn nodal_force(&self, [[p_0, p_1, p_2], [d_0, d_1, d_2]]: [Quadratic<Pair>; 2]) -> Vector14 {
-        Vector14::from(coordinates(&self.to_nodes(&[p_0, p_1, p_2, d_0, d_1, d_2].map(Pair::sum))))
+    fn nodal_force<V: Vector>(&self, u: [V; 7], eps_T: ThermalStrain) -> [V; 7] {
+        let shape = self.shape(u);
+        let mut Q = [[V::ZERO; 3]; 2];
+        for station in &self.stations {
+            let (section, strains) = self.section(station, &shape, eps_T);
+            self.add_force(station, &section, &self.law.forces(&strains), &mut Q);
+        }
+        let [[p_0, p_1, p_2], [d_0, d_1, d_2]] = Q;
+        self.to_nodes(&[p_0, p_1, p_2, d_0, d_1, d_2])
+    }
+
+    /// The same of an energy–momentum step.
+    #[inline(always)]
+    fn nodal_mean_force<V: Vector>(&self, [u_0, u_1]: [[V; 7]; 2], [eps_T0, eps_T1]: [ThermalStrain; 2]) -> [V; 7] {
+        let (shape_0, shape_1) = (self.shape(u_0), self.shape(u_1));
+        let mut Q = [[V::ZERO; 3]; 2];
+        for station in &self.stations {
+            let (section_0, strains_0) = self.section(station, &shape_0, eps_T0);
+            let (section_1, strains_1) = self.section(station, &shape_1, eps_T1);
+            let N = self.law.forces(&strains_0.mean(strains_1));
+            self.add_force(station, &section_0.midpoint(&section_1), &N, &mut Q);
+        }
+        let [[p_0, p_1, p_2], [d_0, d_1, d_2]] = Q;
+        self.to_nodes(&[p_0, p_1, p_2, d_0, d_1, d_2])
     }
 
     /// Adds a station's stiffness to the moments.
-    fn add_stiffness(station: &Station<f64>, H: &Stiffness, moments: &mut Moments) {
+    fn add_stiffness(station: &Station, H: &Stiffness, moments: &mut Moments) {
         for (row, H) in moments.iter_mut().zip(H) {
             for (moments, H) in row.iter_mut().zip(H) {
                 add_moments(station.zeta, *H, moments);
@@ -197,8 +213,8 @@ impl Beam<14> for Ancf {
     }
 
     fn energy(&self, u: &Vector14, eps_T: ThermalStrain) -> f64 {
-        let shape = self.shape(u);
-        let of = |station: &Station<f64>| {
+        let shape = self.shape_of(u);
+        let of = |station: &Station| {
             let (_, strains) = self.section(station, &shape, eps_T);
             0.5 * station.weight * strains.dot(self.law.forces(&strains))
         };
@@ -206,17 +222,15 @@ impl Beam<14> for Ancf {
     }
 
     fn force(&self, u: &Vector14, eps_T: ThermalStrain) -> Vector14 {
-        let shape = self.shape(u).pair();
-        let mut Q = [[Pair::ZERO; 3]; 2];
-        for pair in &self.pairs {
-            let (section, strains) = self.section(pair, &shape, eps_T);
-            self.add_force(pair, &section, &self.law.forces(&strains), &mut Q);
-        }
-        self.nodal_force(Q)
+        Vector14::from(coordinates(&self.nodal_force(nodal(u.as_slice()), eps_T)))
+    }
+
+    fn forces(&self, u: &[Vector14; LANES], eps_T: ThermalStrain) -> [Vector14; LANES] {
+        each(&self.nodal_force(side_by_side(u), eps_T))
     }
 
     fn tangent(&self, u: &Vector14, eps_T: ThermalStrain) -> Matrix14 {
-        let shape = self.shape(u);
+        let shape = self.shape_of(u);
         let mut moments = [[[Block::ZERO; 5]; 3]; 3];
         for station in &self.stations {
             let (section, strains) = self.section(station, &shape, eps_T);
@@ -227,7 +241,7 @@ impl Beam<14> for Ancf {
     }
 
     fn mixed_tangent(&self, before: &Vector14, u: &Vector14, eps_T: ThermalStrain) -> Matrix14 {
-        let (shape_before, shape) = (self.shape(before), self.shape(u));
+        let (shape_before, shape) = (self.shape_of(before), self.shape_of(u));
         let mut moments = [[[Block::ZERO; 5]; 3]; 3];
         for station in &self.stations {
             let (section_before, strains) = self.section(station, &shape_before, eps_T);
@@ -240,19 +254,17 @@ impl Beam<14> for Ancf {
     }
 
     fn mean_force(&self, ends: &Ends<Vector14>) -> Vector14 {
-        let (shape_0, shape_1) = (self.shape(ends.u_0).pair(), self.shape(ends.u_1).pair());
-        let mut Q = [[Pair::ZERO; 3]; 2];
-        for pair in &self.pairs {
-            let (section_0, strains_0) = self.section(pair, &shape_0, ends.thermal_0);
-            let (section_1, strains_1) = self.section(pair, &shape_1, ends.thermal_1);
-            let N = self.law.forces(&strains_0.mean(strains_1));
-            self.add_force(pair, &section_0.midpoint(&section_1), &N, &mut Q);
-        }
-        self.nodal_force(Q)
+        let u = [ends.u_0, ends.u_1].map(|u| nodal(u.as_slice()));
+        Vector14::from(coordinates(&self.nodal_mean_force(u, [ends.thermal_0, ends.thermal_1])))
+    }
+
+    fn mean_forces(&self, ends: &Ends<[Vector14; LANES]>) -> [Vector14; LANES] {
+        let u = [ends.u_0, ends.u_1].map(side_by_side);
+        each(&self.nodal_mean_force(u, [ends.thermal_0, ends.thermal_1]))
     }
 
     fn mean_tangent(&self, ends: &Ends<Vector14>) -> Matrix14 {
-        let (shape_0, shape_1) = (self.shape(ends.u_0), self.shape(ends.u_1));
+        let (shape_0, shape_1) = (self.shape_of(ends.u_0), self.shape_of(ends.u_1));
         let mut moments = [[[Block::ZERO; 5]; 3]; 3];
         for station in &self.stations {
             let (section_0, strains_0) = self.section(station, &shape_0, ends.thermal_0);
@@ -265,9 +277,9 @@ impl Beam<14> for Ancf {
     }
 
     fn heating_work(&self, ends: &Ends<Vector14>) -> f64 {
-        let (shape_0, shape_1) = (self.shape(ends.u_0), self.shape(ends.u_1));
+        let (shape_0, shape_1) = (self.shape_of(ends.u_0), self.shape_of(ends.u_1));
         let change = [ends.thermal_1[0] - ends.thermal_0[0], ends.thermal_1[1] - ends.thermal_0[1]];
-        let of = |station: &Station<f64>| {
+        let of = |station: &Station| {
             let (_, strains_0) = self.section(station, &shape_0, ends.thermal_0);
             let (_, strains_1) = self.section(station, &shape_1, ends.thermal_1);
             let N = self.law.forces(&strains_0.mean(strains_1));

@@ -9,14 +9,13 @@
 mod step;
 
 use nalgebra::Vector2;
-use wide::f64x2;
 
 use step::{BendStep, StretchStep};
 
 use super::Meaning::{Position, SlopeX};
 use super::plane::{
-    Block, Linear, Pair, Quadratic, Scalar, Station, Vec2, Vector, add_at, add_moments, add_slope_at, at, coordinates,
-    matrix, nodal, pairs, slope_at, spread, stations, vec2,
+    Block, LANES, Linear, Quadratic, Scalar, Station, Vec2, Vector, add_at, add_moments, add_slope_at, at, coordinates,
+    each, matrix, nodal, side_by_side, slope_at, stations, vec2,
 };
 use super::{Beam, Ends, NodalVector, ThermalStrain};
 use crate::equations::cable::{Matrix8, S_i, Vector8};
@@ -28,15 +27,13 @@ pub struct Cable {
     t: Vec2,
     /// 1/l
     per_length: f64,
-    axial: [Station<f64>; 5],
-    bending: [Station<f64>; 3],
-    axial_pairs: [Station<f64x2>; 3],
-    bending_pairs: [Station<f64x2>; 2],
+    axial: [Station; 5],
+    bending: [Station; 3],
     EA: f64,
     EI: f64,
 }
 
-/// The axis at a station of the axial strain, or at two.
+/// The axis at a station of the axial strain.
 #[derive(Clone, Copy)]
 struct Stretch<V: Vector> {
     r_x: V,
@@ -48,7 +45,7 @@ struct Stretch<V: Vector> {
     strain: V::Number,
 }
 
-/// The axis at a station of the curvature, or at two.
+/// The axis at a station of the curvature.
 #[derive(Clone, Copy)]
 struct Bend<V: Vector> {
     r_x: V,
@@ -138,7 +135,7 @@ type Moments = [[[Block; 5]; 2]; 2];
 
 /// Adds one station's stiffness in (p, s) to the moments.
 #[inline(always)]
-fn add_stiffness(station: &Station<f64>, H: &Blocks, moments: &mut Moments) {
+fn add_stiffness(station: &Station, H: &Blocks, moments: &mut Moments) {
     for (row, H) in moments.iter_mut().zip(H) {
         for (moments, H) in row.iter_mut().zip(H) {
             add_moments(station.zeta, *H, moments);
@@ -151,17 +148,21 @@ impl Cable {
     pub fn new(l: f64, theta: f64, EA: f64, EI: f64) -> Cable {
         let (sin, cos) = theta.sin_cos();
         let (axial, bending) = (stations(&GAUSS_5, l), stations(&GAUSS_3, l));
-        let (axial_pairs, bending_pairs) = (pairs(&axial), pairs(&bending));
-        Cable { t: vec2(cos, sin), per_length: 1.0 / l, axial, bending, axial_pairs, bending_pairs, EA, EI }
+        Cable { t: vec2(cos, sin), per_length: 1.0 / l, axial, bending, EA, EI }
     }
 
-    /// p = u_x as a polynomial; its slope is l/2 u_xx. With Δ = (rᵏ − rⁱ)/l, the mean m of the ends' slopes and their difference 2d,
+    /// p = u_x of nodal vectors as a polynomial; its slope is l/2 u_xx. With Δ = (rᵏ − rⁱ)/l, the mean m of the ends' slopes and their difference 2d,
     /// r_x = ½(3Δ − m) + d ζ + 3/2 (m − Δ) ζ².
     #[inline(always)]
-    fn shape(&self, u: &Vector8) -> Quadratic<Vec2> {
-        let [r_i, slope_i, r_k, slope_k] = nodal(u.as_slice());
+    fn shape<V: Vector>(&self, [r_i, slope_i, r_k, slope_k]: [V; 4]) -> Quadratic<V> {
         let (chord, mean) = ((r_k - r_i) * self.per_length, (slope_i + slope_k) * 0.5);
         [chord * 1.5 - mean * 0.5, (slope_k - slope_i) * 0.5, (mean - chord) * 1.5]
+    }
+
+    /// The same of a displacement's coordinates.
+    #[inline(always)]
+    fn shape_of(&self, u: &Vector8) -> Quadratic<Vec2> {
+        self.shape(nodal(u.as_slice()))
     }
 
     /// Forces on the nodal vectors from those on the polynomial's coefficients: the transpose of [`shape`](Cable::shape).
@@ -172,23 +173,47 @@ impl Cable {
         [chord * -1.0, mean - difference, chord, mean + difference]
     }
 
-    /// Adds a force on p at a station, or at two, to those on the coefficients.
+    /// Adds a force on (p, s) at a station to those on the coefficients.
     #[inline(always)]
-    fn add_axial<V: Vector>(station: &Station<V::Number>, f: V, Q: &mut Quadratic<V>) {
-        add_at(station.zeta, f, Q);
-    }
-
-    /// Adds a force on (p, s).
-    #[inline(always)]
-    fn add_bending<V: Vector>(&self, station: &Station<V::Number>, [f_p, f_s]: Both<V>, Q: &mut Quadratic<V>) {
+    fn add_bending<V: Vector>(&self, station: &Station, [f_p, f_s]: Both<V>, Q: &mut Quadratic<V>) {
         add_at(station.zeta, f_p, Q);
-        add_slope_at(station.zeta, f_s.times(V::Number::of(2.0 * self.per_length)), Q);
+        add_slope_at(station.zeta, f_s * (2.0 * self.per_length), Q);
     }
 
-    /// Nodal forces from those on the coefficients of two stations at once.
+    /// Forces on the nodal vectors of a displacement, of one element or of several side by side.
     #[inline(always)]
-    fn nodal_force(&self, Q: Quadratic<Pair>) -> Vector8 {
-        Vector8::from(coordinates(&self.to_nodes(&Q.map(Pair::sum))))
+    fn nodal_force<V: Vector>(&self, u: [V; 4], eps_T: f64) -> [V; 4] {
+        let shape = self.shape(u);
+        let [EA, EI, eps_T] = [self.EA, self.EI, eps_T].map(V::Number::of);
+        let mut Q = [V::ZERO; 3];
+        for station in &self.axial {
+            let stretch = self.stretch(station, &shape);
+            let N = EA * (stretch.strain - eps_T);
+            add_at(station.zeta, stretch.rate().times(V::Number::of(station.weight) * N), &mut Q);
+        }
+        for station in &self.bending {
+            let bend = self.bend(station, &shape);
+            let M = V::Number::of(station.weight) * EI * bend.kappa();
+            self.add_bending(station, bend.rate().map(|rate| rate.times(M)), &mut Q);
+        }
+        self.to_nodes(&Q)
+    }
+
+    /// The same of an energy–momentum step.
+    #[inline(always)]
+    fn nodal_mean_force<V: Vector>(&self, u: [[V; 4]; 2], eps_T: [f64; 2]) -> [V; 4] {
+        let shapes = u.map(|u| self.shape(u));
+        let mut Q = [V::ZERO; 3];
+        for station in &self.axial {
+            let step = self.stretches(station, &shapes, eps_T);
+            add_at(station.zeta, step.rate().times(V::Number::of(station.weight) * step.mean_force(self.EA)), &mut Q);
+        }
+        for station in &self.bending {
+            let step = self.bends(station, &shapes);
+            let M = V::Number::of(station.weight) * step.mean_moment(self.EI);
+            self.add_bending(station, step.rate().map(|rate| rate.times(M)), &mut Q);
+        }
+        self.to_nodes(&Q)
     }
 
     /// The element's matrix from the moments of its axial and of its bending stiffness. The coefficient m moves p by ζᵐ and s by
@@ -212,7 +237,7 @@ impl Cable {
     }
 
     #[inline(always)]
-    fn stretch<V: Vector>(&self, station: &Station<V::Number>, shape: &Quadratic<V>) -> Stretch<V> {
+    fn stretch<V: Vector>(&self, station: &Station, shape: &Quadratic<V>) -> Stretch<V> {
         let [one, two] = [1.0, 2.0].map(V::Number::of);
         let (t, p) = (V::of(self.t), at(station.zeta, shape));
         let r_x = t + p;
@@ -225,25 +250,30 @@ impl Cable {
 
     /// Second derivative of a station's axial energy in p, its geometric part from the elastic strain `expected`.
     #[inline(always)]
-    fn axial_stiffness(&self, station: &Station<f64>, stretch: &Stretch<Vec2>, expected: f64) -> Block {
+    fn axial_stiffness(&self, station: &Station, stretch: &Stretch<Vec2>, expected: f64) -> Block {
         let (EA, rate) = (station.weight * self.EA, stretch.rate());
         (Block::outer(1.0, rate, rate) + stretch.rate_rate() * expected) * EA
     }
 
     /// The same of its bending energy in (p, s).
     #[inline(always)]
-    fn bending_stiffness(&self, station: &Station<f64>, bend: &Bend<Vec2>, expected: f64) -> Blocks {
+    fn bending_stiffness(&self, station: &Station, bend: &Bend<Vec2>, expected: f64) -> Blocks {
         let (EI, rate) = (station.weight * self.EI, bend.rate());
         combined(EI, &outers(rate, rate), EI * expected, &bend.rate_rate())
     }
 
     #[inline(always)]
-    fn bend<V: Vector>(&self, station: &Station<V::Number>, shape: &Quadratic<V>) -> Bend<V> {
+    fn bend<V: Vector>(&self, station: &Station, shape: &Quadratic<V>) -> Bend<V> {
         let r_x = V::of(self.t) + at(station.zeta, shape);
-        let r_xx = slope_at(station.zeta, shape).times(V::Number::of(2.0 * self.per_length));
+        let r_xx = slope_at(station.zeta, shape) * (2.0 * self.per_length);
         let square = r_x.dot(r_x);
         Bend { r_x, r_xx, cross: r_x.turn().dot(r_xx), square, inverse: V::Number::of(1.0) / square }
     }
+}
+
+/// The axial thermal strains of both ends of a step.
+fn along<V>(ends: &Ends<V>) -> [f64; 2] {
+    [ends.thermal_0[0], ends.thermal_1[0]]
 }
 
 impl Beam<8> for Cable {
@@ -264,7 +294,7 @@ impl Beam<8> for Cable {
     }
 
     fn energy(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> f64 {
-        let u = self.shape(u);
+        let u = self.shape_of(u);
         let axial = self.axial.iter().map(|station| {
             let epsilon = self.stretch(station, &u).strain - eps_T;
             0.5 * station.weight * self.EA * epsilon * epsilon
@@ -277,24 +307,15 @@ impl Beam<8> for Cable {
     }
 
     fn force(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> Vector8 {
-        let shape: Quadratic<Pair> = spread(&self.shape(u));
-        let [EA, EI, eps_T] = [self.EA, self.EI, eps_T].map(f64x2::splat);
-        let mut Q = [Pair::ZERO; 3];
-        for pair in &self.axial_pairs {
-            let stretch = self.stretch(pair, &shape);
-            let N = EA * (stretch.strain - eps_T);
-            Cable::add_axial(pair, stretch.rate().times(pair.weight * N), &mut Q);
-        }
-        for pair in &self.bending_pairs {
-            let bend = self.bend(pair, &shape);
-            let M = pair.weight * EI * bend.kappa();
-            self.add_bending(pair, bend.rate().map(|rate| rate.times(M)), &mut Q);
-        }
-        self.nodal_force(Q)
+        Vector8::from(coordinates(&self.nodal_force(nodal(u.as_slice()), eps_T)))
+    }
+
+    fn forces(&self, u: &[Vector8; LANES], [eps_T, _]: ThermalStrain) -> [Vector8; LANES] {
+        each(&self.nodal_force(side_by_side(u), eps_T))
     }
 
     fn tangent(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> Matrix8 {
-        let u = self.shape(u);
+        let u = self.shape_of(u);
         let (mut axial, mut bending) = ([Block::ZERO; 5], [[[Block::ZERO; 5]; 2]; 2]);
         for station in &self.axial {
             let stretch = self.stretch(station, &u);
@@ -308,7 +329,7 @@ impl Beam<8> for Cable {
     }
 
     fn mixed_tangent(&self, before: &Vector8, u: &Vector8, [eps_T, _]: ThermalStrain) -> Matrix8 {
-        let (before, u) = (self.shape(before), self.shape(u));
+        let (before, u) = (self.shape_of(before), self.shape_of(u));
         let (mut axial, mut bending) = ([Block::ZERO; 5], [[[Block::ZERO; 5]; 2]; 2]);
         for station in &self.axial {
             let (stretch_before, stretch) = (self.stretch(station, &before), self.stretch(station, &u));
@@ -327,18 +348,12 @@ impl Beam<8> for Cable {
     }
 
     fn mean_force(&self, ends: &Ends<Vector8>) -> Vector8 {
-        let u: [Quadratic<Pair>; 2] = self.shapes(ends).map(|shape| spread(&shape));
-        let mut Q = [Pair::ZERO; 3];
-        for pair in &self.axial_pairs {
-            let step = self.stretches(pair, &u, ends);
-            Cable::add_axial(pair, step.rate().times(pair.weight * step.mean_force(self.EA)), &mut Q);
-        }
-        for pair in &self.bending_pairs {
-            let step = self.bends(pair, &u);
-            let M = pair.weight * step.mean_moment(self.EI);
-            self.add_bending(pair, step.rate().map(|rate| rate.times(M)), &mut Q);
-        }
-        self.nodal_force(Q)
+        let u = [ends.u_0, ends.u_1].map(|u| nodal(u.as_slice()));
+        Vector8::from(coordinates(&self.nodal_mean_force(u, along(ends))))
+    }
+
+    fn mean_forces(&self, ends: &Ends<[Vector8; LANES]>) -> [Vector8; LANES] {
+        each(&self.nodal_mean_force([ends.u_0, ends.u_1].map(side_by_side), along(ends)))
     }
 
     fn mean_tangent(&self, ends: &Ends<Vector8>) -> Matrix8 {
@@ -346,7 +361,7 @@ impl Beam<8> for Cable {
         let u = self.shapes(ends);
         let (mut axial, mut bending) = ([Block::ZERO; 5], [[[Block::ZERO; 5]; 2]; 2]);
         for station in &self.axial {
-            let step = self.stretches(station, &u, ends);
+            let step = self.stretches(station, &u, along(ends));
             let w = station.weight;
             let product = Block::outer(0.5, step.rate(), step.end.rate());
             let H = product * (w * EA) + step.rate_rate() * (w * step.mean_force(EA));
@@ -366,7 +381,7 @@ impl Beam<8> for Cable {
         let u = self.shapes(ends);
         let change = ends.thermal_1[0] - ends.thermal_0[0];
         let work =
-            |station: &Station<f64>| -station.weight * self.stretches(station, &u, ends).mean_force(self.EA) * change;
+            |station: &Station| -station.weight * self.stretches(station, &u, along(ends)).mean_force(self.EA) * change;
         self.axial.iter().map(work).sum()
     }
 }
@@ -375,22 +390,21 @@ impl Cable {
     /// The shapes of both ends of a step.
     #[inline(always)]
     fn shapes(&self, ends: &Ends<Vector8>) -> [Quadratic<Vec2>; 2] {
-        [ends.u_0, ends.u_1].map(|u| self.shape(u))
+        [ends.u_0, ends.u_1].map(|u| self.shape_of(u))
     }
 
     #[inline(always)]
     fn stretches<V: Vector>(
         &self,
-        station: &Station<V::Number>,
+        station: &Station,
         [u_0, u_1]: &[Quadratic<V>; 2],
-        ends: &Ends<Vector8>,
+        eps_T: [f64; 2],
     ) -> StretchStep<V> {
-        let (start, end) = (self.stretch(station, u_0), self.stretch(station, u_1));
-        StretchStep { start, end, eps_T: [ends.thermal_0[0], ends.thermal_1[0]] }
+        StretchStep { start: self.stretch(station, u_0), end: self.stretch(station, u_1), eps_T }
     }
 
     #[inline(always)]
-    fn bends<V: Vector>(&self, station: &Station<V::Number>, [u_0, u_1]: &[Quadratic<V>; 2]) -> BendStep<V> {
+    fn bends<V: Vector>(&self, station: &Station, [u_0, u_1]: &[Quadratic<V>; 2]) -> BendStep<V> {
         BendStep { start: self.bend(station, u_0), end: self.bend(station, u_1) }
     }
 }

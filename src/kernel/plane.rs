@@ -1,5 +1,5 @@
-//! Vectors and 2 × 2 blocks of the plane, and polynomials of them along an element. Two numbers are computed side by side, in one
-//! instruction of the processor: x and y, or the same of two stations.
+//! Vectors and 2 × 2 blocks of the plane, and polynomials of them along an element. Numbers are computed side by side, several in
+//! one instruction of the processor: x and y of one element, or the same number of four elements.
 //!
 //! With ζ = −1 … 1 along the element, vectors along it are polynomials c₀ + c₁ζ + c₂ζ². Forces and stiffnesses of sections enter
 //! an element by their *moments* Σ w ζⁿ f, the forces on the coefficients; what is left to the nodes is a small linear map.
@@ -8,7 +8,8 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use wide::f64x2;
+use nalgebra::SVector;
+use wide::{f64x2, f64x4};
 
 /// A vector (x, y).
 pub(super) type Vec2 = f64x2;
@@ -70,9 +71,12 @@ pub(super) fn vec2(x: f64, y: f64) -> Vec2 {
     Vec2::new([x, y])
 }
 
-/// A number at one station, or at two of them side by side.
+/// Elements whose forces are computed side by side.
+pub const LANES: usize = 4;
+
+/// A number of one element, or of several side by side.
 pub(super) trait Scalar:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {
     /// The same number everywhere.
     fn of(number: f64) -> Self;
@@ -92,20 +96,21 @@ impl Scalar for f64 {
     }
 }
 
-impl Scalar for f64x2 {
+impl Scalar for f64x4 {
     #[inline(always)]
-    fn of(number: f64) -> f64x2 {
-        f64x2::splat(number)
+    fn of(number: f64) -> f64x4 {
+        f64x4::splat(number)
     }
 
     #[inline(always)]
-    fn sqrt(self) -> f64x2 {
-        f64x2::sqrt(self)
+    fn sqrt(self) -> f64x4 {
+        f64x4::sqrt(self)
     }
 }
 
-/// A vector at one station ([`Vec2`]) or at two ([`Pair`]).
-pub(super) trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> {
+/// A vector of one element ([`Vec2`]) or of several ([`Lanes`]).
+pub(super) trait Vector: Linear + Neg<Output = Self> {
+    const ZERO: Self;
     type Number: Scalar;
 
     /// The same vector everywhere.
@@ -120,6 +125,7 @@ pub(super) trait Vector: Copy + Add<Output = Self> + Sub<Output = Self> + Neg<Ou
 }
 
 impl Vector for Vec2 {
+    const ZERO: Vec2 = f64x2::ZERO;
     type Number = f64;
 
     #[inline(always)]
@@ -144,124 +150,122 @@ impl Vector for Vec2 {
     }
 }
 
-/// A vector at two stations.
+/// A vector of each of [`LANES`] elements.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pair {
-    x: f64x2,
-    y: f64x2,
+pub(super) struct Lanes {
+    x: f64x4,
+    y: f64x4,
 }
 
-impl Pair {
-    pub const ZERO: Pair = Pair { x: f64x2::ZERO, y: f64x2::ZERO };
-
-    /// The sum of both.
+impl Add for Lanes {
+    type Output = Lanes;
     #[inline(always)]
-    pub fn sum(self) -> Vec2 {
-        vec2(self.x.reduce_add(), self.y.reduce_add())
+    fn add(self, other: Lanes) -> Lanes {
+        Lanes { x: self.x + other.x, y: self.y + other.y }
     }
 }
 
-impl Add for Pair {
-    type Output = Pair;
+impl Sub for Lanes {
+    type Output = Lanes;
     #[inline(always)]
-    fn add(self, other: Pair) -> Pair {
-        Pair { x: self.x + other.x, y: self.y + other.y }
+    fn sub(self, other: Lanes) -> Lanes {
+        Lanes { x: self.x - other.x, y: self.y - other.y }
     }
 }
 
-impl Sub for Pair {
-    type Output = Pair;
+impl Mul<f64> for Lanes {
+    type Output = Lanes;
     #[inline(always)]
-    fn sub(self, other: Pair) -> Pair {
-        Pair { x: self.x - other.x, y: self.y - other.y }
+    fn mul(self, s: f64) -> Lanes {
+        self.times(f64x4::splat(s))
     }
 }
 
-impl Neg for Pair {
-    type Output = Pair;
+impl Neg for Lanes {
+    type Output = Lanes;
     #[inline(always)]
-    fn neg(self) -> Pair {
-        Pair { x: -self.x, y: -self.y }
+    fn neg(self) -> Lanes {
+        Lanes { x: -self.x, y: -self.y }
     }
 }
 
-impl Vector for Pair {
-    type Number = f64x2;
+impl Vector for Lanes {
+    const ZERO: Lanes = Lanes { x: f64x4::ZERO, y: f64x4::ZERO };
+    type Number = f64x4;
 
     #[inline(always)]
-    fn of(vector: Vec2) -> Pair {
+    fn of(vector: Vec2) -> Lanes {
         let [x, y] = vector.to_array();
-        Pair { x: f64x2::splat(x), y: f64x2::splat(y) }
+        Lanes { x: f64x4::splat(x), y: f64x4::splat(y) }
     }
 
     #[inline(always)]
-    fn times(self, s: f64x2) -> Pair {
-        Pair { x: self.x * s, y: self.y * s }
+    fn times(self, s: f64x4) -> Lanes {
+        Lanes { x: self.x * s, y: self.y * s }
     }
 
     #[inline(always)]
-    fn dot(self, other: Pair) -> f64x2 {
+    fn dot(self, other: Lanes) -> f64x4 {
         self.x * other.x + self.y * other.y
     }
 
     #[inline(always)]
-    fn turn(self) -> Pair {
-        Pair { x: -self.y, y: self.x }
+    fn turn(self) -> Lanes {
+        Lanes { x: -self.y, y: self.x }
     }
 }
 
-/// A Gauss point of the axis, or two of them: weight (m) and ζ.
+/// The nodal vectors of elements side by side, from their coordinates.
+#[inline(always)]
+pub(super) fn side_by_side<const V: usize, const N: usize>(u: &[SVector<f64, N>; LANES]) -> [Lanes; V] {
+    let component = |i: usize| f64x4::new(std::array::from_fn(|lane| u[lane][i]));
+    std::array::from_fn(|n| Lanes { x: component(2 * n), y: component(2 * n + 1) })
+}
+
+/// The coordinates of each of them, from their nodal vectors.
+#[inline(always)]
+pub(super) fn each<const V: usize, const N: usize>(vectors: &[Lanes; V]) -> [SVector<f64, N>; LANES] {
+    let components = vectors.map(|vector| [vector.x.to_array(), vector.y.to_array()]);
+    std::array::from_fn(|lane| SVector::from_fn(|i, _| components[i / 2][i % 2][lane]))
+}
+
+/// A Gauss point of the axis: weight (m) and ζ.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Station<S> {
-    pub weight: S,
-    pub zeta: S,
+pub(super) struct Station {
+    pub weight: f64,
+    pub zeta: f64,
 }
 
 /// The stations of a rule on an element of length `l`.
-pub(super) fn stations<const Q: usize>(rule: &[(f64, f64); Q], l: f64) -> [Station<f64>; Q] {
+pub(super) fn stations<const Q: usize>(rule: &[(f64, f64); Q], l: f64) -> [Station; Q] {
     rule.map(|(zeta, weight)| Station { weight: l / 2.0 * weight, zeta })
-}
-
-/// The same two by two; the last one, if it is alone, beside one of no weight.
-pub(super) fn pairs<const Q: usize, const P: usize>(stations: &[Station<f64>; Q]) -> [Station<f64x2>; P] {
-    let station = |n: usize| stations.get(n).copied().unwrap_or(Station { weight: 0.0, zeta: 0.0 });
-    std::array::from_fn(|pair| {
-        let (a, b) = (station(2 * pair), station(2 * pair + 1));
-        Station { weight: f64x2::new([a.weight, b.weight]), zeta: f64x2::new([a.zeta, b.zeta]) }
-    })
-}
-
-/// A polynomial for the stations of another kind.
-#[inline(always)]
-pub(super) fn spread<V: Vector>(c: &Quadratic<Vec2>) -> Quadratic<V> {
-    c.map(V::of)
 }
 
 /// A polynomial's value at ζ.
 #[inline(always)]
-pub(super) fn at<V: Vector>(zeta: V::Number, c: &Quadratic<V>) -> V {
-    c[0] + (c[1] + c[2].times(zeta)).times(zeta)
+pub(super) fn at<T: Linear>(zeta: f64, c: &Quadratic<T>) -> T {
+    c[0] + (c[1] + c[2] * zeta) * zeta
 }
 
 /// Its derivative with respect to ζ.
 #[inline(always)]
-pub(super) fn slope_at<V: Vector>(zeta: V::Number, c: &Quadratic<V>) -> V {
-    c[1] + c[2].times(zeta + zeta)
+pub(super) fn slope_at<T: Linear>(zeta: f64, c: &Quadratic<T>) -> T {
+    c[1] + c[2] * (2.0 * zeta)
 }
 
 /// Adds a force on a polynomial's value at ζ to those on its coefficients.
 #[inline(always)]
-pub(super) fn add_at<V: Vector>(zeta: V::Number, f: V, Q: &mut Quadratic<V>) {
+pub(super) fn add_at<T: Linear>(zeta: f64, f: T, Q: &mut Quadratic<T>) {
     Q[0] = Q[0] + f;
-    Q[1] = Q[1] + f.times(zeta);
-    Q[2] = Q[2] + f.times(zeta * zeta);
+    Q[1] = Q[1] + f * zeta;
+    Q[2] = Q[2] + f * (zeta * zeta);
 }
 
 /// Adds a force on a polynomial's slope at ζ.
 #[inline(always)]
-pub(super) fn add_slope_at<V: Vector>(zeta: V::Number, f: V, Q: &mut Quadratic<V>) {
+pub(super) fn add_slope_at<T: Linear>(zeta: f64, f: T, Q: &mut Quadratic<T>) {
     Q[1] = Q[1] + f;
-    Q[2] = Q[2] + f.times(zeta + zeta);
+    Q[2] = Q[2] + f * (2.0 * zeta);
 }
 
 /// Adds a section's part to the moments, the n-th of them times ζⁿ.

@@ -14,10 +14,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, SMatrix};
 
-use super::{BandLu, BandMatrix, BlockLayout, Layout, SingularAt};
-
-/// Part of the largest entry of a solution below which an entry is nothing.
-const NOTHING: f64 = 1e-100;
+use super::{BandLu, BandMatrix, BlockLayout, Layout, SingularAt, flush};
 
 /// A matrix of this shape.
 #[derive(Clone, Debug)]
@@ -303,8 +300,7 @@ impl BorderedLu {
         Ok(BorderedLu { layout: layout.clone(), blocks, corner, scales: None })
     }
 
-    /// Solves A x = b in place. What is less than 10⁻¹⁰⁰ of the largest entry is set to zero: what acts on one end of a long
-    /// structure dies out exponentially along it, and numbers that underflow are computed a hundred times slower than zeros.
+    /// Solves A x = b in place; what is nothing in a long vector is zero ([`flush`]).
     pub fn solve(&self, b: &mut DVector<f64>) {
         if let Some(Scales { rows, .. }) = &self.scales {
             b.component_mul_assign(rows);
@@ -329,12 +325,6 @@ impl BorderedLu {
             b.component_mul_assign(columns);
         }
     }
-}
-
-/// Sets to zero what is nothing beside the largest entry.
-fn flush(b: &mut DVector<f64>) {
-    let nothing = NOTHING * b.amax();
-    b.iter_mut().filter(|x| x.abs() < nothing).for_each(|x| *x = 0.0);
 }
 
 #[cfg(test)]

@@ -6,13 +6,7 @@
 use nalgebra::DVector;
 
 use super::chain::{Chain, Number};
-use super::{BandLu, BandMatrix, SingularAt};
-
-/// Part of the largest entry of a solution below which an entry is nothing.
-const NOTHING: f64 = 1e-100;
-
-/// In a shorter vector entries would have to fall to a third of the one before, all along, to become so small.
-const LONG: usize = 200;
+use super::{BandLu, BandMatrix, SingularAt, flush};
 
 /// The factors, or memory for them.
 #[derive(Debug)]
@@ -45,9 +39,7 @@ impl<F: Number> Chains<F> {
         Ok(())
     }
 
-    /// Solves A x = b in place. What is less than 10⁻¹⁰⁰ of the largest entry of a long vector is set to zero: what acts on one end
-    /// of a long structure dies out exponentially along it, and numbers that underflow are computed a hundred times slower
-    /// than zeros.
+    /// Solves A x = b in place; what is nothing in a long vector is zero ([`flush`]).
     ///
     /// Without factors the solution is not a number.
     pub fn solve(&self, b: &mut DVector<F>) {
@@ -67,13 +59,4 @@ impl<F: Number> Chains<F> {
         let corner = BandMatrix::<F>::bytes(self.border_size, self.border_band);
         self.chains.iter().map(|chain| chain.bytes()).sum::<usize>() + corner
     }
-}
-
-/// Sets to zero what is nothing beside the largest entry of a long vector.
-fn flush<F: Number>(b: &mut DVector<F>) {
-    if b.len() < LONG {
-        return;
-    }
-    let nothing = NOTHING * b.iter().map(|x| x.norm1()).fold(0.0, f64::max);
-    b.iter_mut().filter(|x| x.norm1() < nothing).for_each(|x| *x = F::zero());
 }

@@ -10,8 +10,6 @@ use crate::linear::{BorderedLu, Chains};
 /// A matrix that is factorised.
 #[derive(Debug)]
 pub enum Matrix<'a> {
-    /// M, with the constraints where there are multipliers.
-    Mass,
     /// `stiffness` · (tangent, with the constraints' forces where there are multipliers) + `mass` · M.
     Tangent {
         /// Displacement.
@@ -45,7 +43,6 @@ pub enum Matrix<'a> {
 impl<'a> Matrix<'a> {
     pub(super) fn of_rod(&self, rod: usize) -> ElementMatrix<'a> {
         match *self {
-            Matrix::Mass => ElementMatrix::Mass,
             Matrix::Tangent { u, thermal, stiffness, mass } => {
                 ElementMatrix::Tangent { u, eps_t: thermal[rod], stiffness, mass }
             }

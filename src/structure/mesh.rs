@@ -7,7 +7,7 @@ use std::fmt::Debug;
 
 use nalgebra::{Complex, DVector, Rotation2, SMatrix, SVector, Vector2};
 
-use crate::kernel::{Beam, Ends, NodalVector, ThermalStrain};
+use crate::kernel::{Beam, Ends, LANES, NodalVector, ThermalStrain};
 use crate::linear::{Chain, Elements, Filling, NONE};
 
 /// Where the components of a nodal vector are among the unknowns.
@@ -96,6 +96,9 @@ pub(super) trait Mesh: Debug + Send + Sync {
     /// Displacement of the axis, `place` elements from the rod's beginning.
     fn axis(&self, place: f64, u: &DVector<f64>) -> Vector2<f64>;
 
+    /// The entry of an element's M that couples two of its nodal vectors, kg: M couples neither x with y nor tells them apart.
+    fn mass(&self, row: usize, column: usize) -> f64;
+
     /// Adds M a.
     fn add_inertia(&self, a: &DVector<f64>, sum: &mut DVector<f64>);
 
@@ -126,6 +129,15 @@ pub(super) trait Mesh: Debug + Send + Sync {
     /// The largest ω² of an element taken free, (rad/s)², at stretches less 1 (along, across) and a thermal strain. NaN where M is
     /// not positive definite.
     fn largest_square_frequency(&self, stretch: [f64; 2], eps_t: ThermalStrain) -> f64;
+
+    /// Adds K x, every element at these stretches less 1 and this thermal strain.
+    fn add_stretched_stiffness(
+        &self,
+        stretch: [f64; 2],
+        eps_t: ThermalStrain,
+        x: &DVector<f64>,
+        sum: &mut DVector<f64>,
+    );
 }
 
 /// What acts on a rod at an instant.
@@ -212,6 +224,18 @@ impl<const N: usize> Place<N> {
     }
 }
 
+/// Coordinates of up to [`LANES`] elements; where there are fewer the rest is at rest.
+#[inline(always)]
+fn gather<const N: usize>(places: &[Place<N>], u: &DVector<f64>) -> [SVector<f64, N>; LANES] {
+    std::array::from_fn(|lane| places.get(lane).map_or(SVector::zeros(), |place| place.gather(u)))
+}
+
+/// Adds their forces to the unknowns'.
+#[inline(always)]
+fn scatter<const N: usize>(places: &[Place<N>], forces: [SVector<f64, N>; LANES], sum: &mut DVector<f64>) {
+    places.iter().zip(forces).for_each(|(place, force)| place.scatter(force, sum));
+}
+
 impl<B: Beam<N>, const N: usize> Equal<B, N> {
     /// Nodal vectors from an element to the next.
     const STRIDE: usize = N / 2 - 2;
@@ -295,6 +319,10 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
         B::axis(place - element as f64, &self.places[element].gather(u), self.along.norm())
     }
 
+    fn mass(&self, row: usize, column: usize) -> f64 {
+        self.mass[(2 * row, 2 * column)]
+    }
+
     fn add_inertia(&self, a: &DVector<f64>, sum: &mut DVector<f64>) {
         for place in &self.places {
             place.scatter(self.momentum(&place.gather(a)), sum);
@@ -308,14 +336,25 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
     }
 
     fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, sum: &mut DVector<f64>) {
-        for place in &self.places {
-            place.scatter(self.beam.force(&place.gather(u), eps_t), sum);
+        for places in self.places.chunks(LANES) {
+            if let [place] = places {
+                place.scatter(self.beam.force(&place.gather(u), eps_t), sum);
+            } else {
+                scatter(places, self.beam.forces(&gather(places, u), eps_t), sum);
+            }
         }
     }
 
     fn add_mean_force(&self, ends: &Ends<DVector<f64>>, sum: &mut DVector<f64>) {
-        for place in &self.places {
-            place.scatter(place.over(ends, |ends| self.beam.mean_force(ends)), sum);
+        let &Ends { thermal_0, thermal_1, .. } = ends;
+        for places in self.places.chunks(LANES) {
+            if let [place] = places {
+                place.scatter(place.over(ends, |ends| self.beam.mean_force(ends)), sum);
+            } else {
+                let (u_0, u_1) = (gather(places, ends.u_0), gather(places, ends.u_1));
+                let ends = Ends { u_0: &u_0, u_1: &u_1, thermal_0, thermal_1 };
+                scatter(places, self.beam.mean_forces(&ends), sum);
+            }
         }
     }
 
@@ -358,6 +397,19 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
             lower.solve_lower_triangular(&half.transpose())
         });
         reduced.map_or(f64::NAN, |matrix| matrix.symmetric_eigenvalues().max())
+    }
+
+    fn add_stretched_stiffness(
+        &self,
+        stretch: [f64; 2],
+        eps_t: ThermalStrain,
+        x: &DVector<f64>,
+        sum: &mut DVector<f64>,
+    ) {
+        let tangent = self.beam.tangent(&self.stretched(stretch), eps_t);
+        for place in &self.places {
+            place.scatter(tangent * place.gather(x), sum);
+        }
     }
 }
 

@@ -47,9 +47,14 @@ impl Rod {
             along,
             height: scene.section(rod).height,
             heat: scene.heat(rod).map(|heat| Heat { temperature: heat.clone(), alpha: scene.material(rod).alpha }),
-            chain: vec![Components::default(); stride(&*mesh) * rod.elements + 2],
+            chain: vec![Components::default(); (mesh.vectors().len() - 2) * rod.elements + 2],
             mesh,
         }
+    }
+
+    /// Nodal vectors from an element to the next: two are those of the node that they share.
+    pub fn stride(&self) -> usize {
+        self.mesh.vectors().len() - 2
     }
 
     /// Thermal strain (along, across) at time `t`.
@@ -65,13 +70,13 @@ impl Rod {
 
     /// An element's nodal vectors.
     pub fn vectors(&self, element: usize) -> &[Components] {
-        &self.chain[stride(&*self.mesh) * element..][..self.mesh.vectors().len()]
+        &self.chain[self.stride() * element..][..self.mesh.vectors().len()]
     }
 
     /// What a vector of the chain is, and how many elements from the rod's beginning.
     pub fn nodal(&self, vector: usize) -> NodalVector {
-        let element = (vector / stride(&*self.mesh)).min(self.elements - 1);
-        let (meaning, at) = self.mesh.vectors()[vector - stride(&*self.mesh) * element];
+        let element = (vector / self.stride()).min(self.elements - 1);
+        let (meaning, at) = self.mesh.vectors()[vector - self.stride() * element];
         (meaning, element as f64 + at)
     }
 
@@ -90,11 +95,6 @@ impl Rod {
             Meaning::SlopeY => Kind::Slope(self.height),
         }
     }
-}
-
-/// Nodal vectors from an element to the next: two are those of the node that they share.
-fn stride(mesh: &dyn Mesh) -> usize {
-    mesh.vectors().len() - 2
 }
 
 /// Elements of the paper.

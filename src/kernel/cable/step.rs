@@ -5,7 +5,7 @@
 use super::{Bend, Blocks, Both, Stretch, combined, cross_rate_rate, outers};
 use crate::kernel::plane::{Block, Scalar, Vec2, Vector};
 
-/// A station of the axial strain, or two, at both ends of a step.
+/// A station of the axial strain at both ends of a step.
 pub(super) struct StretchStep<V: Vector> {
     pub start: Stretch<V>,
     pub end: Stretch<V>,
@@ -38,7 +38,7 @@ impl StretchStep<Vec2> {
     }
 }
 
-/// A station of the curvature, or two, at both ends of a step.
+/// A station of the curvature at both ends of a step.
 pub(super) struct BendStep<V: Vector> {
     pub start: Bend<V>,
     pub end: Bend<V>,

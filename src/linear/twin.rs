@@ -1,0 +1,125 @@
+//! A symmetric band matrix that treats x and y alike: its entries are numbers, its unknowns vectors (x, y), both of which are
+//! solved for side by side.
+
+use wide::f64x2;
+
+use super::SingularAt;
+
+/// L D Lᵀ factors of a positive definite matrix whose rows reach `W` rows back.
+#[derive(Clone, Debug)]
+pub struct TwinBand<const W: usize> {
+    /// Row i of L: the multipliers of rows i − W … i − 1.
+    lower: Vec<[f64; W]>,
+    /// Column i of L: those of row i in rows i + W … i + 1, so that both substitutions read in order.
+    upper: Vec<[f64; W]>,
+    /// 1/D.
+    inverse: Vec<f64>,
+}
+
+impl<const W: usize> TwinBand<W> {
+    /// The factors of a matrix of `size` rows, whose entry (row, column), `column` ≤ `row`, is told by `entry`.
+    ///
+    /// # Errors
+    /// The row whose pivot is not positive.
+    pub fn new(size: usize, entry: impl Fn(usize, usize) -> f64) -> Result<TwinBand<W>, SingularAt> {
+        let mut band = TwinBand { lower: Vec::with_capacity(size), upper: vec![[0.0; W]; size], inverse: Vec::new() };
+        let mut diagonal: Vec<f64> = Vec::with_capacity(size);
+        for i in 0..size {
+            let mut row = [0.0; W];
+            let mut pivot = entry(i, i);
+            for j in i.saturating_sub(W)..i {
+                // L_ij D_j = A_ij − Σ L_ik D_k L_jk over what both rows reach.
+                let both = (i.saturating_sub(W)).max(j.saturating_sub(W))..j;
+                let known: f64 = both.map(|k| row[k + W - i] * diagonal[k] * band.lower[j][k + W - j]).sum();
+                let multiplier = (entry(i, j) - known) / diagonal[j];
+                row[j + W - i] = multiplier;
+                band.upper[j][j + W - i] = multiplier;
+                pivot -= multiplier * multiplier * diagonal[j];
+            }
+            if pivot <= 0.0 || !pivot.is_finite() {
+                return Err(SingularAt(i));
+            }
+            band.lower.push(row);
+            band.inverse.push(1.0 / pivot);
+            diagonal.push(pivot);
+        }
+        Ok(band)
+    }
+
+    /// Solves in place, for vectors whose first components are at `places` in `b` and whose second ones follow.
+    pub fn solve(&self, places: &[u32], b: &mut [f64]) {
+        let mut known = [f64x2::ZERO; W];
+        for (row, &place) in self.lower.iter().zip(places) {
+            let y = reduced(get(b, place), row, &known);
+            push(y, &mut known);
+            set(y, place, b);
+        }
+        known = [f64x2::ZERO; W];
+        for ((column, inverse), &place) in self.upper.iter().zip(&self.inverse).zip(places).rev() {
+            let x = reduced(get(b, place) * *inverse, column, &known);
+            push(x, &mut known);
+            set(x, place, b);
+        }
+    }
+}
+
+/// `value` less what is known of it. The nearest of the known ones comes last: it is the only one that is waited for.
+#[inline(always)]
+fn reduced<const W: usize>(value: f64x2, factors: &[f64; W], known: &[f64x2; W]) -> f64x2 {
+    factors.iter().zip(known).fold(value, |value, (factor, known)| value - *known * *factor)
+}
+
+/// Takes the newest of the known ones in, and the oldest out.
+#[inline(always)]
+fn push<const W: usize>(newest: f64x2, known: &mut [f64x2; W]) {
+    known.rotate_left(1);
+    known[W - 1] = newest;
+}
+
+#[inline(always)]
+fn get(b: &[f64], place: u32) -> f64x2 {
+    let place = place as usize;
+    f64x2::new([b[place], b[place + 1]])
+}
+
+#[inline(always)]
+fn set(value: f64x2, place: u32, b: &mut [f64]) {
+    let place = place as usize;
+    b[place..place + 2].copy_from_slice(&value.to_array());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{DMatrix, DVector};
+    use proptest::prelude::*;
+
+    proptest! {
+        /// Both components like a dense LU, wherever they stand.
+        #[test]
+        fn solves_like_a_dense_matrix(size in 1usize..20, values in prop::collection::vec(-1.0..1.0, 200)) {
+            let entry = |i: usize, j: usize| match i.abs_diff(j) {
+                0 => 4.0 + values[i],
+                apart if apart <= 3 => values[20 + 8 * i.min(j) + apart],
+                _ => 0.0,
+            };
+            let dense = DMatrix::from_fn(size, size, entry);
+            let factors = TwinBand::<3>::new(size, entry);
+            prop_assume!(dense.clone().cholesky().is_some());
+            let places: Vec<u32> = (0..size as u32).rev().map(|n| 3 * n + 1).collect();
+            let mut b: Vec<f64> = values.iter().copied().cycle().take(3 * size + 1).collect();
+            let component = |b: &[f64], c: usize| DVector::from_iterator(size, places.iter().map(|&p| b[p as usize + c]));
+            let expected = [0, 1].map(|c| dense.clone().lu().solve(&component(&b, c)).unwrap());
+            factors.unwrap().solve(&places, &mut b);
+            for (c, expected) in expected.iter().enumerate() {
+                prop_assert!((component(&b, c) - expected).amax() <= 1e-9 * expected.amax());
+            }
+        }
+    }
+
+    #[test]
+    fn a_matrix_that_is_not_definite_is_refused_with_its_row() {
+        let entry = |i: usize, j: usize| if i == j { [1.0, 1.0, -1.0][i] } else { 0.0 };
+        assert_eq!(TwinBand::<3>::new(3, entry).unwrap_err(), SingularAt(2));
+    }
+}

@@ -1,0 +1,283 @@
+//! The mass matrix, factorised once and solved with in every explicit step.
+//!
+//! Each element's M is a matrix of numbers times the unit matrix of the plane: nodal vectors are coupled, x and y are not. So the
+//! *free* vectors of a rod, which are its own and not held in any direction, are one band of numbers ([`TwinBand`]), solved for
+//! x and y side by side. The others, which rods share or a support holds in one direction, are the *border*:
+//!
+//! M_ff a_f + M_fb a_b = f_f,  M_bf a_f + M_bb a_b = f_b  ⇒  (M_bb − M_bf W) a_b = f_b − M_bf M_ff⁻¹ f_f,  a_f = M_ff⁻¹ f_f − W a_b,
+//!
+//! with W = M_ff⁻¹ M_fb, made once. Multipliers, where there are any, couple everything: then it is a [`BorderedLu`].
+
+use std::collections::BTreeMap;
+
+use nalgebra::{DVector, Vector2};
+
+use super::mesh::Components;
+use super::numbering::order;
+use super::rod::Rod;
+use super::{ElementMatrix, Structure};
+use crate::linear::{BandLu, BandMatrix, BorderedLu, SingularAt, TwinBand, flush};
+
+/// Most vectors of the border that a rod touches: positions and slopes of two ends and of a pivot.
+const MOST_TOUCHED: usize = 6;
+
+/// Factors of a structure's mass matrix.
+#[derive(Debug)]
+pub struct MassFactors(Kind);
+
+#[derive(Debug)]
+enum Kind {
+    Condensed(Condensed),
+    Multipliers(BorderedLu),
+}
+
+/// In the condensed form.
+#[derive(Debug)]
+struct Condensed {
+    rods: Vec<RodFactors>,
+    /// The border's vectors, their unknowns numbered by `unknowns`.
+    border: Vec<Components>,
+    /// The structure's numbers of the border's unknowns.
+    unknowns: Vec<usize>,
+    corner: BandLu,
+    /// Memory for the border's part of a right-hand side.
+    rest: DVector<f64>,
+}
+
+/// One rod's part.
+#[derive(Debug)]
+struct RodFactors {
+    /// First unknowns of its free vectors.
+    free: Vec<u32>,
+    band: Band,
+    /// The border's vectors that it touches.
+    touches: Vec<usize>,
+    /// M_fb: free vector, number among the touched ones, entry.
+    coupling: Vec<(usize, usize, f64)>,
+    /// W by rows: for each free vector an entry of each touched one.
+    response: Vec<f64>,
+}
+
+/// A band as wide as the element asks for.
+#[derive(Debug)]
+enum Band {
+    /// Elements of four nodal vectors.
+    Three(TwinBand<3>),
+    /// Elements of seven.
+    Six(TwinBand<6>),
+}
+
+/// Entries of one rod's mass matrix, by places in its chain of nodal vectors.
+struct RodMass<'a> {
+    rod: &'a Rod,
+}
+
+impl RodMass<'_> {
+    fn entry(&self, a: usize, b: usize) -> f64 {
+        let (vectors, stride) = (self.rod.mesh.vectors().len(), self.rod.stride());
+        let both = (a.max(b) / stride).min(self.rod.elements - 1);
+        // A node's vectors belong to two elements.
+        let local =
+            |vector: usize, element: usize| vector.checked_sub(element * stride).filter(|local| *local < vectors);
+        let of = |element| Some(self.rod.mesh.mass(local(a, element)?, local(b, element)?));
+        (both.saturating_sub(1)..=both).filter_map(of).sum()
+    }
+
+    /// Places of the vectors that a vector shares an element with.
+    fn neighbours(&self, vector: usize) -> std::ops::Range<usize> {
+        let reach = self.rod.mesh.vectors().len() - 1;
+        vector.saturating_sub(reach)..(vector + reach + 1).min(self.rod.chain.len())
+    }
+}
+
+impl Band {
+    fn new(vectors: usize, size: usize, entry: impl Fn(usize, usize) -> f64) -> Result<Band, SingularAt> {
+        Ok(if vectors == 4 { Band::Three(TwinBand::new(size, entry)?) } else { Band::Six(TwinBand::new(size, entry)?) })
+    }
+
+    fn solve(&self, places: &[u32], b: &mut [f64]) {
+        match self {
+            Band::Three(band) => band.solve(places, b),
+            Band::Six(band) => band.solve(places, b),
+        }
+    }
+}
+
+impl Condensed {
+    fn new(rods: &[Rod], first_shared: usize) -> Result<Condensed, SingularAt> {
+        // The border's vectors: a shared one has the same unknowns in every rod.
+        let is_free = |vector: &Components| matches!(vector.unknowns, [Some(x), Some(_)] if x < first_shared);
+        let mut known: BTreeMap<[Option<usize>; 2], usize> = BTreeMap::new();
+        let mut vectors: Vec<Components> = Vec::new();
+        let mut touches = Vec::new();
+        for rod in rods {
+            let of_border = rod.chain.iter().filter(|vector| !is_free(vector) && vector.unknowns != [None; 2]);
+            let numbers = of_border.map(|vector| {
+                *known.entry(vector.unknowns).or_insert_with(|| {
+                    vectors.push(*vector);
+                    vectors.len() - 1
+                })
+            });
+            touches.push(numbers.collect::<Vec<usize>>());
+        }
+        // Numbered outwards, so that their band is narrow.
+        let mut unknowns = Vec::new();
+        let mut border = vectors.clone();
+        for vector in order(vectors.len(), &touches) {
+            border[vector].unknowns = vectors[vector].unknowns.map(|unknown| {
+                unknowns.push(unknown?);
+                Some(unknowns.len() - 1)
+            });
+        }
+        let spread = |touched: &Vec<usize>| {
+            let numbers = || touched.iter().flat_map(|&vector| border[vector].unknowns).flatten();
+            numbers().max().zip(numbers().min()).map_or(0, |(last, first)| last - first)
+        };
+        let band = touches.iter().map(spread).max().unwrap_or(0);
+        let mut corner = BandMatrix::zeros(unknowns.len(), band);
+        let mut factors = Vec::new();
+        for (rod, touches) in rods.iter().zip(touches) {
+            let place_of = |vector: &Components| touches.iter().position(|&n| vectors[n].unknowns == vector.unknowns);
+            factors.push(RodFactors::new(&RodMass { rod }, is_free, place_of, &touches, &border, &mut corner)?);
+        }
+        let corner = corner.lu().map_err(|SingularAt(pivot)| SingularAt(unknowns[pivot]))?;
+        let rest = DVector::zeros(unknowns.len());
+        Ok(Condensed { rods: factors, border, unknowns, corner, rest })
+    }
+
+    fn solve(&mut self, b: &mut [f64]) {
+        let Condensed { rods, border, unknowns, corner, rest } = self;
+        rods.iter().for_each(|rod| rod.band.solve(&rod.free, b));
+        rest.iter_mut().zip(&*unknowns).for_each(|(rest, &unknown)| *rest = b[unknown]);
+        for rod in &*rods {
+            for &(free, touched, mass) in &rod.coupling {
+                let a = vector_at(b, rod.free[free]);
+                border[rod.touches[touched]].add(&(-mass * a), rest);
+            }
+        }
+        corner.solve(rest.as_mut_slice());
+        rest.iter().zip(&*unknowns).for_each(|(a, &unknown)| b[unknown] = *a);
+        for rod in &*rods {
+            rod.respond(border, rest, b);
+        }
+    }
+}
+
+fn vector_at(b: &[f64], place: u32) -> Vector2<f64> {
+    Vector2::new(b[place as usize], b[place as usize + 1])
+}
+
+impl RodFactors {
+    /// A rod's factors; what it leaves of M_bb − M_bf W is added to the corner.
+    fn new(
+        mass: &RodMass,
+        is_free: impl Fn(&Components) -> bool,
+        place_of: impl Fn(&Components) -> Option<usize>,
+        touches: &[usize],
+        border: &[Components],
+        corner: &mut BandMatrix,
+    ) -> Result<RodFactors, SingularAt> {
+        let chain = &mass.rod.chain;
+        let places: Vec<usize> = (0..chain.len()).filter(|&vector| is_free(&chain[vector])).collect();
+        let free: Vec<u32> = places.iter().filter_map(|&vector| chain[vector].unknowns[0]).map(|x| x as u32).collect();
+        let entry = |row: usize, column: usize| mass.entry(places[row], places[column]);
+        let band = Band::new(mass.rod.mesh.vectors().len(), places.len(), entry)
+            .map_err(|SingularAt(row)| SingularAt(free[row] as usize))?;
+
+        // Places in the chain of the border's vectors, and the coupling of free ones with them.
+        let bordering: Vec<(usize, usize)> =
+            (0..chain.len()).filter_map(|vector| Some((vector, place_of(&chain[vector])?))).collect();
+        let mut coupling = Vec::new();
+        for &(vector, touched) in &bordering {
+            for neighbour in mass.neighbours(vector) {
+                if let Ok(free) = places.binary_search(&neighbour) {
+                    coupling.push((free, touched, mass.entry(vector, neighbour)));
+                }
+            }
+        }
+        let mut rod = RodFactors {
+            free,
+            band,
+            touches: touches.to_vec(),
+            coupling,
+            response: vec![0.0; places.len() * touches.len()],
+        };
+        rod.find_response();
+        for &(row, s) in &bordering {
+            for &(column, t) in &bordering {
+                let own = if mass.neighbours(row).contains(&column) { mass.entry(row, column) } else { 0.0 };
+                let its = rod.coupling.iter().filter(|coupling| coupling.1 == s);
+                let taken: f64 = its.map(|&(free, _, mass)| mass * rod.response[free * touches.len() + t]).sum();
+                add_entry(own - taken, &border[touches[s]], &border[touches[t]], corner);
+            }
+        }
+        Ok(rod)
+    }
+
+    /// W, column by column: the band is asked for vectors whose second components are nothing.
+    fn find_response(&mut self) {
+        let (count, packed) = (self.touches.len(), 0..self.free.len() as u32);
+        let packed: Vec<u32> = packed.map(|n| 2 * n).collect();
+        for touched in 0..count {
+            let mut column = vec![0.0; 2 * packed.len()];
+            for &(free, _, mass) in self.coupling.iter().filter(|coupling| coupling.1 == touched) {
+                column[2 * free] = mass;
+            }
+            self.band.solve(&packed, &mut column);
+            (0..packed.len()).for_each(|free| self.response[free * count + touched] = column[2 * free]);
+        }
+    }
+
+    /// Takes W a_b off the free vectors.
+    fn respond(&self, border: &[Components], rest: &DVector<f64>, b: &mut [f64]) {
+        if self.touches.is_empty() {
+            return;
+        }
+        let mut of_border = [Vector2::zeros(); MOST_TOUCHED];
+        of_border.iter_mut().zip(&self.touches).for_each(|(a, &touched)| *a = border[touched].get(rest));
+        for (row, &place) in self.response.chunks_exact(self.touches.len()).zip(&self.free) {
+            let mut a = vector_at(b, place);
+            row.iter().zip(&of_border).for_each(|(response, of_border)| a -= *response * of_border);
+            b[place as usize..place as usize + 2].copy_from_slice(a.as_slice());
+        }
+    }
+}
+
+/// Adds `mass` · 1, which couples two nodal vectors, in the axes that each of them has.
+fn add_entry(mass: f64, row: &Components, column: &Components, corner: &mut BandMatrix) {
+    for (axis, j) in [Vector2::x(), Vector2::y()].into_iter().zip(column.unknowns) {
+        let along = column.turn.map_or(axis, |turn| turn * axis);
+        let own = row.turn.map_or(along, |turn| turn.inverse() * along);
+        for (value, i) in own.iter().zip(row.unknowns) {
+            if let (Some(i), Some(j)) = (i, j) {
+                corner.add(i, j, mass * value);
+            }
+        }
+    }
+}
+
+impl MassFactors {
+    /// Solves M a = f in place, with multipliers: M a + Φ_qᵀ λ = f, Φ_q a = 0.
+    pub fn solve(&mut self, f: &mut DVector<f64>) {
+        match &mut self.0 {
+            Kind::Condensed(condensed) => condensed.solve(f.as_mut_slice()),
+            Kind::Multipliers(factors) => factors.solve(f),
+        }
+        flush(f);
+    }
+}
+
+impl Structure {
+    /// The mass matrix, factorised, with the constraints beside and below it where there are multipliers.
+    ///
+    /// # Errors
+    /// The unknown with a vanishing pivot; [`place`](Structure::place) says where that is.
+    pub fn factorize_mass(&self) -> Result<MassFactors, SingularAt> {
+        if self.rows.is_empty() {
+            return Ok(MassFactors(Kind::Condensed(Condensed::new(&self.rods, self.layout.border)?)));
+        }
+        let mut sum = self.assemble_matrix(|_| ElementMatrix::Mass);
+        self.add_constraints(1.0, &mut sum);
+        Ok(MassFactors(Kind::Multipliers(sum.equilibrated_lu()?)))
+    }
+}
