@@ -274,7 +274,7 @@ impl Structure {
     /// Memory for factors of its matrices.
     pub fn factors(&self) -> Factors {
         if self.rows.is_empty() {
-            let chains = self.each_rod(|rod, touches| rod.mesh.chain(self.layout.border, touches));
+            let chains = self.rods.iter().map(|rod| rod.mesh.chain(self.layout.border)).collect();
             Factors::Chains(self.chains(chains))
         } else {
             Factors::Bordered(None)
@@ -283,11 +283,7 @@ impl Structure {
 
     /// Memory for the factors of complex matrices; in the condensed form only.
     pub fn complex_factors(&self) -> Chains<Complex<f64>> {
-        self.chains(self.each_rod(|rod, touches| rod.mesh.complex_chain(self.layout.border, touches)))
-    }
-
-    fn each_rod<T>(&self, of: impl Fn(&Rod, &[usize]) -> T) -> Vec<T> {
-        self.rods.iter().zip(&self.layout.blocks).map(|(rod, block)| of(rod, &block.touches)).collect()
+        self.chains(self.rods.iter().map(|rod| rod.mesh.complex_chain(self.layout.border)).collect())
     }
 
     fn chains<F: Number>(&self, chains: Vec<Box<dyn Chain<F>>>) -> Chains<F> {

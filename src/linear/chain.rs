@@ -2,10 +2,11 @@
 //!
 //! One element after the other is added to a front of its `N` coordinates. Those that no later element touches, which are
 //! all of its interior nodes and the node that it shares with the element before, are eliminated there; what they leave of the
-//! last node is the beginning of the next front. No zero is stored or multiplied, and every loop is as long as the compiler
-//! knows it to be.
+//! last node is the beginning of the next front. Nothing outside of a front is stored or multiplied, and every loop is as long as
+//! the compiler knows it to be.
 //!
-//! Coordinates that rods share, the *border*, are not eliminated: they stand beside the front in columns and rows of their own.
+//! Coordinates that rods share, the *border*, are not eliminated: they stand beside the front in columns and rows of their own,
+//! from the first element that touches them on.
 
 use std::fmt::Debug;
 
@@ -18,6 +19,10 @@ const SHARED: usize = 4;
 
 /// Most border unknowns of a chain: two components of two ends and of a pivot.
 pub const MOST_TOUCHED: usize = 6;
+
+/// The least part of the largest entry that serves as a pivot where it stands: changing rows costs more than the digit that may be
+/// lost with it.
+const FAIR: f64 = 0.1;
 
 /// Stands for a coordinate that is no unknown of the chain's own.
 pub const NONE: u32 = u32::MAX;
@@ -54,9 +59,9 @@ pub trait Chain<F: Number>: Debug + Send + Sync {
 pub struct Elements<F, const N: usize> {
     places: Vec<Place<N>>,
     fronts: Vec<Front<F, N>>,
-    /// There if the chain touches the border: one for each front.
-    sides: Vec<Sides<F, N>>,
-    /// The border's unknowns that it touches.
+    /// Of each front one for each of the border's unknowns that the chain has reached there.
+    sides: Vec<Side<F, N>>,
+    /// The border's unknowns that it touches, in the order in which it reaches them.
     touches: Vec<usize>,
     /// The border's first unknown.
     border: usize,
@@ -69,94 +74,105 @@ struct Place<const N: usize> {
     own: [u32; N],
     /// Those others: the coordinate, and its place among the touched unknowns of the border; held ones have none.
     others: Vec<(usize, Option<usize>)>,
+    /// How many of the border's unknowns this element or one before it touches, and where their sides begin.
+    reached: usize,
+    first_side: usize,
 }
 
 /// What is left of a front.
 #[derive(Clone, Debug)]
 struct Front<F, const N: usize> {
-    /// Column k: the multipliers of pivot k, zero down to it.
-    lower: [[F; N]; N],
-    /// Column k of the upper factor, without the diagonal; zero from it on.
-    upper: [[F; N]; N],
-    /// The diagonal's inverse.
-    inverse: [F; N],
+    /// Column k: above the diagonal the upper factor, on it the pivot's inverse, below it the multipliers of pivot k.
+    lu: [[F; N]; N],
     /// Row that changed places with row k at step k.
     swaps: [u8; N],
 }
 
-/// What the border adds to a front, by its touched unknowns.
-#[derive(Clone, Debug)]
-struct Sides<F, const N: usize> {
-    /// Columns of the border in the front's rows.
-    right: [[F; N]; MOST_TOUCHED],
-    /// Rows of the border in the front's columns, divided by the pivots.
-    below: [[F; N]; MOST_TOUCHED],
+/// What an unknown of the border adds to a front.
+#[derive(Clone, Copy, Debug)]
+struct Side<F, const N: usize> {
+    /// Its column in the front's rows.
+    right: [F; N],
+    /// Its row in the front's columns, divided by the pivots.
+    below: [F; N],
 }
 
 impl<F: Number, const N: usize> Elements<F, N> {
     /// The chain of elements with these unknowns ([`NONE`] where a coordinate is held), of which those from `border` on are the
-    /// border's, and `touches` the ones of them that it touches.
-    pub fn new(elements: impl Iterator<Item = [u32; N]>, border: usize, touches: &[usize]) -> Elements<F, N> {
-        let places: Vec<Place<N>> = elements.map(|unknowns| Place::new(unknowns, border, touches)).collect();
-        let zeros = [[F::zero(); N]; N];
-        let front = Front { lower: zeros, upper: zeros, inverse: [F::zero(); N], swaps: [0; N] };
-        let none = [[F::zero(); N]; MOST_TOUCHED];
-        let sides = if touches.is_empty() { 0 } else { places.len() };
+    /// border's.
+    pub fn new(elements: impl Iterator<Item = [u32; N]>, border: usize) -> Elements<F, N> {
+        let (mut places, mut touches, mut sides) = (Vec::new(), Vec::new(), 0);
+        for unknowns in elements {
+            let place = Place::new(unknowns, border, &mut touches, sides);
+            sides += place.reached;
+            places.push(place);
+        }
+        let front = Front { lu: [[F::zero(); N]; N], swaps: [0; N] };
+        let none = [F::zero(); N];
         Elements {
             fronts: vec![front; places.len()],
-            sides: vec![Sides { right: none, below: none }; sides],
-            touches: touches.to_vec(),
+            sides: vec![Side { right: none, below: none }; sides],
+            touches,
             border,
             places,
         }
     }
 
-    /// Memory that the factors take for each element, bytes.
-    pub const fn bytes_each(touches: bool) -> usize {
-        size_of::<Front<F, N>>() + if touches { size_of::<Sides<F, N>>() } else { 0 }
+    /// Memory that the factors take for each element at most, bytes.
+    pub const fn bytes_each() -> usize {
+        size_of::<Front<F, N>>() + MOST_TOUCHED * size_of::<Side<F, N>>()
     }
 
     /// Coordinates that are eliminated in a front: in the last one all.
     fn pivots(&self, element: usize) -> usize {
         if element + 1 == self.places.len() { N } else { N - SHARED }
     }
-}
 
-impl<const N: usize> Place<N> {
-    fn new(unknowns: [u32; N], border: usize, touches: &[usize]) -> Place<N> {
-        let own = unknowns.map(|unknown| if (unknown as usize) < border { unknown } else { NONE });
-        let others = (0..N).filter(|&n| own[n] == NONE);
-        let touch = |n: usize| touches.iter().position(|&touched| touched == unknowns[n] as usize);
-        Place { own, others: others.map(|n| (n, touch(n))).collect() }
+    /// Sides of an element's front, with the border's unknowns that they belong to.
+    fn sides(&self, place: &Place<N>) -> impl Iterator<Item = (&Side<F, N>, usize)> {
+        self.sides[place.first_side..][..place.reached].iter().zip(self.touches.iter().copied())
     }
 }
 
-/// The matrix of a front while it is being eliminated, with the border's share.
-struct Working<F, const N: usize> {
-    own: [[F; N]; N],
-    right: [[F; N]; MOST_TOUCHED],
-    below: [[F; N]; MOST_TOUCHED],
+impl<const N: usize> Place<N> {
+    /// The place of an element; what it touches and no element before it did is added to `touches`.
+    fn new(unknowns: [u32; N], border: usize, touches: &mut Vec<usize>, first_side: usize) -> Place<N> {
+        let own = unknowns.map(|unknown| if (unknown as usize) < border { unknown } else { NONE });
+        let mut others = Vec::new();
+        for n in (0..N).filter(|&n| own[n] == NONE) {
+            let touched = (unknowns[n] != NONE).then_some(unknowns[n] as usize);
+            others
+                .push((n, touched.map(|touched| touches.iter().position(|&t| t == touched).unwrap_or(touches.len()))));
+            touches.extend(touched.filter(|touched| !touches.contains(touched)));
+        }
+        Place { own, others, reached: touches.len(), first_side }
+    }
+}
+
+/// What the border adds to the front that is being eliminated, and what is left of it by those before.
+struct Border<F, const N: usize> {
+    sides: [Side<F, N>; MOST_TOUCHED],
     corner: [[F; MOST_TOUCHED]; MOST_TOUCHED],
 }
 
-impl<F: Number, const N: usize> Working<F, N> {
-    fn zeros() -> Working<F, N> {
-        Working {
-            own: [[F::zero(); N]; N],
-            right: [[F::zero(); N]; MOST_TOUCHED],
-            below: [[F::zero(); N]; MOST_TOUCHED],
+impl<F: Number, const N: usize> Border<F, N> {
+    fn zeros() -> Border<F, N> {
+        let none = [F::zero(); N];
+        Border {
+            sides: [Side { right: none, below: none }; MOST_TOUCHED],
             corner: [[F::zero(); MOST_TOUCHED]; MOST_TOUCHED],
         }
     }
 
     /// Moves what the last node has left to the first one's place.
-    fn advance(&mut self, touched: usize) {
-        let first = N - SHARED;
-        let shared = |column: &[F; N]| std::array::from_fn(|n| if n < SHARED { column[first + n] } else { F::zero() });
-        let old = self.own;
-        self.own = std::array::from_fn(|n| if n < SHARED { shared(&old[first + n]) } else { [F::zero(); N] });
-        for t in 0..touched {
-            (self.right[t], self.below[t]) = (shared(&self.right[t]), shared(&self.below[t]));
+    fn advance(&mut self, reached: usize) {
+        let shared = |row: &mut [F; N]| {
+            row.copy_within(N - SHARED.., 0);
+            row[SHARED..].fill(F::zero());
+        };
+        for side in &mut self.sides[..reached] {
+            shared(&mut side.right);
+            shared(&mut side.below);
         }
     }
 
@@ -171,8 +187,8 @@ impl<F: Number, const N: usize> Working<F, N> {
                     }
                 }
                 for m in (0..N).filter(|&m| place.own[m] != NONE) {
-                    self.right[t][m] += element[n][m];
-                    self.below[t][m] += element[m][n];
+                    self.sides[t].right[m] += element[n][m];
+                    self.sides[t].below[m] += element[m][n];
                 }
             }
         }
@@ -183,60 +199,67 @@ impl<F: Number, const N: usize> Working<F, N> {
         }
     }
 
-    fn add(&mut self, element: &[[F; N]; N]) {
-        for (column, other) in self.own.iter_mut().zip(element) {
-            column.iter_mut().zip(other).for_each(|(entry, other)| *entry += *other);
+    #[inline(always)]
+    fn eliminate(&mut self, k: usize, lower: &[F; N], front: &[[F; N]; N], reached: usize) {
+        let row: [F; N] = std::array::from_fn(|column| if column > k { front[column][k] } else { F::zero() });
+        let pivots_right: [F; MOST_TOUCHED] = std::array::from_fn(|t| self.sides[t].right[k]);
+        for (side, corner) in self.sides[..reached].iter_mut().zip(&mut self.corner) {
+            subtract(side.right[k], lower, &mut side.right);
+            let factor = side.below[k] * front[k][k];
+            subtract(factor, &row, &mut side.below);
+            side.below[k] = factor;
+            subtract(factor, &pivots_right, corner);
+        }
+    }
+}
+
+impl<F: Number, const N: usize> Front<F, N> {
+    /// Adds what the front before has left of the node that both share.
+    fn add_rest(&mut self, before: &Front<F, N>) {
+        for (column, rest) in self.lu.iter_mut().zip(&before.lu[N - SHARED..]) {
+            column.iter_mut().zip(&rest[N - SHARED..]).for_each(|(entry, rest)| *entry += *rest);
         }
     }
 
-    /// Brings the largest entry of column k among the rows that are eliminated here to the diagonal.
-    fn pivot(&mut self, k: usize, pivots: usize, touched: usize, front: &mut Front<F, N>) {
-        let size = |row: usize| self.own[k][row].norm1();
-        let largest = (k + 1..pivots).fold(k, |best, row| if size(row) > size(best) { row } else { best });
-        front.swaps[k] = largest as u8;
-        if largest != k {
-            self.own.iter_mut().for_each(|column| column.swap(k, largest));
-            front.lower[..k].iter_mut().for_each(|column| column.swap(k, largest));
-            self.right[..touched].iter_mut().for_each(|column| column.swap(k, largest));
+    /// Brings a large entry of column k among the rows that are eliminated here to the diagonal. What is there stays if it is no
+    /// less than a [`FAIR`] part of the largest.
+    #[inline(always)]
+    fn pivot(&mut self, k: usize, pivots: usize, sides: &mut [Side<F, N>]) {
+        let (mut row, mut most) = (k, self.lu[k][k].norm1() / FAIR);
+        for (below, entry) in self.lu[k][..pivots].iter().enumerate().skip(k + 1) {
+            if entry.norm1() > most {
+                (row, most) = (below, entry.norm1());
+            }
+        }
+        self.swaps[k] = row as u8;
+        if row != k {
+            self.lu.iter_mut().for_each(|column| column.swap(k, row));
+            sides.iter_mut().for_each(|side| side.right.swap(k, row));
         }
     }
 
     /// Eliminates the first `pivots` coordinates.
     #[inline(always)]
-    fn eliminate(&mut self, pivots: usize, touched: usize, front: &mut Front<F, N>) -> Result<(), usize> {
+    fn eliminate(&mut self, pivots: usize, reached: usize, border: &mut Border<F, N>) -> Result<(), usize> {
         for k in 0..pivots {
-            self.pivot(k, pivots, touched, front);
-            let diagonal = self.own[k][k];
+            self.pivot(k, pivots, &mut border.sides[..reached]);
+            let diagonal = self.lu[k][k];
             let inverse = F::one() / diagonal;
             if diagonal.is_zero() || !inverse.is_finite() {
                 return Err(k);
             }
-            let mut lower = self.own[k].map(|entry| entry * inverse);
+            let mut lower = self.lu[k].map(|entry| entry * inverse);
             lower[..=k].fill(F::zero());
-            for column in &mut self.own[k + 1..] {
+            for column in &mut self.lu[k + 1..] {
                 subtract(column[k], &lower, column);
             }
-            if touched > 0 {
-                self.eliminate_sides(k, touched, inverse, &lower);
+            self.lu[k][k] = inverse;
+            self.lu[k][k + 1..].copy_from_slice(&lower[k + 1..]);
+            if reached > 0 {
+                border.eliminate(k, &lower, &self.lu, reached);
             }
-            (front.lower[k], front.inverse[k]) = (lower, inverse);
-        }
-        for (k, column) in self.own.iter().enumerate() {
-            front.upper[k] = std::array::from_fn(|row| if row < k.min(pivots) { column[row] } else { F::zero() });
         }
         Ok(())
-    }
-
-    fn eliminate_sides(&mut self, k: usize, touched: usize, inverse: F, lower: &[F; N]) {
-        let row: [F; N] = std::array::from_fn(|column| if column > k { self.own[column][k] } else { F::zero() });
-        let pivots_right: [F; MOST_TOUCHED] = std::array::from_fn(|t| self.right[t][k]);
-        for t in 0..touched {
-            subtract(pivots_right[t], lower, &mut self.right[t]);
-            let factor = self.below[t][k] * inverse;
-            subtract(factor, &row, &mut self.below[t]);
-            self.below[t][k] = factor;
-            subtract(factor, &pivots_right, &mut self.corner[t]);
-        }
     }
 }
 
@@ -254,28 +277,24 @@ impl<F: Number, const N: usize> Chain<F> for Elements<F, N> {
         fill: &mut dyn FnMut(usize, &mut [F]),
         corner: &mut BandMatrix<F>,
     ) -> Result<(), SingularAt> {
-        let touched = self.touches.len();
-        let mut working = Working::zeros();
-        let mut matrix = [[F::zero(); N]; N];
+        let mut border = Border::zeros();
         for element in 0..self.places.len() {
             let pivots = self.pivots(element);
             let place = &self.places[element];
-            if element > 0 {
-                working.advance(touched);
-            }
-            fill(element, matrix.as_flattened_mut());
+            let (before, front) = self.fronts.split_at_mut(element);
+            let front = &mut front[0];
+            fill(element, front.lu.as_flattened_mut());
+            border.advance(place.reached);
             if !place.others.is_empty() {
-                working.separate(place, &mut matrix);
+                border.separate(place, &mut front.lu);
             }
-            working.add(&matrix);
-            working
-                .eliminate(pivots, touched, &mut self.fronts[element])
-                .map_err(|k| SingularAt(place.own[k] as usize))?;
-            if let Some(sides) = self.sides.get_mut(element) {
-                (sides.right, sides.below) = (working.right, working.below);
+            if let Some(before) = before.last() {
+                front.add_rest(before);
             }
+            front.eliminate(pivots, place.reached, &mut border).map_err(|k| SingularAt(place.own[k] as usize))?;
+            self.sides[place.first_side..][..place.reached].copy_from_slice(&border.sides[..place.reached]);
         }
-        for (row, s) in self.touches.iter().zip(&working.corner) {
+        for (row, s) in self.touches.iter().zip(&border.corner) {
             for (column, value) in self.touches.iter().zip(s) {
                 corner.add(row - self.border, column - self.border, *value);
             }
@@ -295,18 +314,19 @@ impl<F: Number, const N: usize> Chain<F> for Elements<F, N> {
             for (k, swap) in front.swaps[..pivots].iter().enumerate() {
                 y.swap(k, *swap as usize);
             }
+            // A whole column each time: what it does to the rows down to k is of no use, and they are put aside before.
+            let mut solved = y;
             for k in 0..pivots {
-                subtract(y[k], &front.lower[k], &mut y);
+                solved[k] = y[k];
+                subtract(y[k], &front.lu[k], &mut y);
             }
-            if let Some(sides) = self.sides.get(element) {
-                for (below, &touched) in sides.below.iter().zip(&self.touches) {
-                    let known = below[..pivots].iter().zip(&y).fold(F::zero(), |sum, (a, b)| sum + *a * *b);
-                    b[touched] -= known;
-                }
+            for (side, touched) in self.sides(place) {
+                let known = side.below[..pivots].iter().zip(&solved).fold(F::zero(), |sum, (a, b)| sum + *a * *b);
+                b[touched] -= known;
             }
-            for (y, own) in y[..pivots].iter().zip(place.own) {
+            for (solved, own) in solved[..pivots].iter().zip(place.own) {
                 if let Some(b) = b.get_mut(own as usize) {
-                    *b = *y;
+                    *b = *solved;
                 }
             }
             shared.copy_from_slice(&y[N - SHARED..]);
@@ -321,32 +341,31 @@ impl<F: Number, const N: usize> Chain<F> for Elements<F, N> {
             for (y, own) in y[..pivots].iter_mut().zip(place.own) {
                 *y = b.get(own as usize).copied().unwrap_or(F::zero());
             }
-            if let Some(sides) = self.sides.get(element) {
-                for (right, &touched) in sides.right.iter().zip(&self.touches) {
-                    subtract(b[touched], right, &mut y);
-                }
+            for (side, touched) in self.sides(place) {
+                subtract(b[touched], &side.right, &mut y);
             }
             if pivots < N {
-                y[N - SHARED..].copy_from_slice(&shared);
-                for k in N - SHARED..N {
-                    subtract(y[k], &front.upper[k], &mut y);
+                for (column, known) in front.lu[N - SHARED..].iter().zip(shared) {
+                    subtract(known, column, &mut y);
                 }
             }
+            // As in the forward elimination, with the rows from k on.
+            let mut solved = y;
             for k in (0..pivots).rev() {
-                y[k] *= front.inverse[k];
-                subtract(y[k], &front.upper[k], &mut y);
+                solved[k] = y[k] * front.lu[k][k];
+                subtract(solved[k], &front.lu[k], &mut y);
             }
-            for (y, own) in y[..pivots].iter().zip(place.own) {
+            for (solved, own) in solved[..pivots].iter().zip(place.own) {
                 if let Some(b) = b.get_mut(own as usize) {
-                    *b = *y;
+                    *b = *solved;
                 }
             }
-            shared.copy_from_slice(&y[..SHARED]);
+            shared.copy_from_slice(&solved[..SHARED]);
         }
     }
 
     fn bytes(&self) -> usize {
-        self.places.len() * Self::bytes_each(!self.touches.is_empty())
+        self.places.len() * size_of::<Front<F, N>>() + self.sides.len() * size_of::<Side<F, N>>()
     }
 }
 

@@ -84,13 +84,13 @@ pub(super) trait Mesh: Debug + Send + Sync {
     /// Takes the unknowns' numbers from the rod's chain of nodal vectors.
     fn number(&mut self, chain: &[Components]);
 
-    /// Memory for the factors of its matrix; unknowns from `border` on are shared, those in `touches` by this rod.
-    fn chain(&self, border: usize, touches: &[usize]) -> Box<dyn Chain<f64>>;
+    /// Memory for the factors of its matrix; unknowns from `border` on are shared.
+    fn chain(&self, border: usize) -> Box<dyn Chain<f64>>;
 
     /// The same for a complex matrix.
-    fn complex_chain(&self, border: usize, touches: &[usize]) -> Box<dyn Chain<Complex<f64>>>;
+    fn complex_chain(&self, border: usize) -> Box<dyn Chain<Complex<f64>>>;
 
-    /// Memory that the factors take for each element of a rod that touches the border, bytes.
+    /// Memory that the factors take for each element at most, bytes.
     fn bytes_each(&self) -> usize;
 
     /// Displacement of the axis, `place` elements from the rod's beginning.
@@ -249,20 +249,29 @@ impl<B: Beam<N>, const N: usize> Equal<B, N> {
         u
     }
 
-    fn element_matrix(&self, place: &Place<N>, matrix: &ElementMatrix) -> SMatrix<f64, N, N> {
-        let own = match *matrix {
-            ElementMatrix::Mass => self.mass,
-            ElementMatrix::Tangent { u, eps_t, stiffness, mass } => {
-                self.beam.tangent(&place.gather(u), eps_t) * stiffness + self.mass * mass
-            }
-            ElementMatrix::Mixed { before, u, eps_t } => {
-                self.beam.mixed_tangent(&place.gather(before), &place.gather(u), eps_t)
-            }
-            ElementMatrix::Mean { ref ends, mass } => {
-                place.over(ends, |ends| self.beam.mean_tangent(ends)) + self.mass * mass
+    /// An element's matrix, by columns.
+    fn element_matrix(&self, place: &Place<N>, matrix: &ElementMatrix, columns: &mut [f64]) {
+        let mut put = |stiffness: f64, tangent: &SMatrix<f64, N, N>, mass: f64| {
+            for ((entry, tangent), own) in columns.iter_mut().zip(tangent.as_slice()).zip(self.mass.as_slice()) {
+                *entry = tangent * stiffness + own * mass;
             }
         };
-        place.turned(own)
+        match *matrix {
+            ElementMatrix::Mass => columns.copy_from_slice(self.mass.as_slice()),
+            ElementMatrix::Tangent { u, eps_t, stiffness, mass } => {
+                put(stiffness, &self.beam.tangent(&place.gather(u), eps_t), mass);
+            }
+            ElementMatrix::Mixed { before, u, eps_t } => {
+                put(1.0, &self.beam.mixed_tangent(&place.gather(before), &place.gather(u), eps_t), 0.0);
+            }
+            ElementMatrix::Mean { ref ends, mass } => {
+                put(1.0, &place.over(ends, |ends| self.beam.mean_tangent(ends)), mass);
+            }
+        }
+        if !place.turns.is_empty() {
+            let turned = place.turned(SMatrix::from_column_slice(columns));
+            columns.copy_from_slice(turned.as_slice());
+        }
     }
 
     /// M a. The matrix treats x and y alike, and couples neither with the other: half of it is zero.
@@ -302,16 +311,16 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
         self.places = chain.windows(N / 2).step_by(Self::STRIDE).map(Place::of).collect();
     }
 
-    fn chain(&self, border: usize, touches: &[usize]) -> Box<dyn Chain<f64>> {
-        Box::new(Elements::<f64, N>::new(self.unknowns(), border, touches))
+    fn chain(&self, border: usize) -> Box<dyn Chain<f64>> {
+        Box::new(Elements::<f64, N>::new(self.unknowns(), border))
     }
 
-    fn complex_chain(&self, border: usize, touches: &[usize]) -> Box<dyn Chain<Complex<f64>>> {
-        Box::new(Elements::<Complex<f64>, N>::new(self.unknowns(), border, touches))
+    fn complex_chain(&self, border: usize) -> Box<dyn Chain<Complex<f64>>> {
+        Box::new(Elements::<Complex<f64>, N>::new(self.unknowns(), border))
     }
 
     fn bytes_each(&self) -> usize {
-        Elements::<f64, N>::bytes_each(true)
+        Elements::<f64, N>::bytes_each()
     }
 
     fn axis(&self, place: f64, u: &DVector<f64>) -> Vector2<f64> {
@@ -359,13 +368,15 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
     }
 
     fn matrix(&self, element: usize, matrix: &ElementMatrix, columns: &mut [f64]) {
-        columns.copy_from_slice(self.element_matrix(&self.places[element], matrix).as_slice());
+        self.element_matrix(&self.places[element], matrix, columns);
     }
 
     fn add_matrix(&self, matrix: &ElementMatrix, block: &mut Filling) {
         for place in &self.places {
             let unknowns = place.unknowns.map(|unknown| (unknown != NONE).then_some(unknown as usize));
-            block.add_dense(unknowns, &self.element_matrix(place, matrix));
+            let mut dense = SMatrix::<f64, N, N>::zeros();
+            self.element_matrix(place, matrix, dense.as_mut_slice());
+            block.add_dense(unknowns, &dense);
         }
     }
 

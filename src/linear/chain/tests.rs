@@ -149,10 +149,7 @@ fn chains<F: Number, const N: usize>(shape: &Shape) -> Chains<F> {
         let elements = shape.chains[chain];
         let unknowns = unknowns.clone();
         let of_element = move |element: usize| std::array::from_fn(|n| unknowns[element * (N - SHARED) + n]);
-        let touches: std::collections::BTreeSet<usize> =
-            shape.shared.iter().filter(|(c, ..)| *c == chain).map(|(.., place)| numbers.border + place).collect();
-        let touches: Vec<usize> = touches.into_iter().collect();
-        Box::new(Elements::<F, N>::new((0..elements).map(of_element), numbers.border, &touches)) as Box<dyn Chain<F>>
+        Box::new(Elements::<F, N>::new((0..elements).map(of_element), numbers.border)) as Box<dyn Chain<F>>
     });
     Chains::new(chains.collect(), numbers.border, shape.border_size, shape.border_size.saturating_sub(1))
 }
