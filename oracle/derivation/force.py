@@ -1,12 +1,10 @@
 """(18)-(21) and the tangent: from the energy to forces."""
 
-from functools import cache
-
 import sympy
 
+from .. import field
 from . import symbols as Y
-from .algebra import GEN, NODAL, Matrix, column, hessian, normal, over_volume, replace, total
-from .material import from_density
+from .algebra import NODAL, Matrix, column, hessian, normal, over_volume, replace, total
 from .notation import Derivative, Grouped, Integral, Symbol, Transposed, node
 from .symbols import (EPS, HALF, PLANE, S_a, S_a1, S_b, S_b1, S_c, S_c1, SIGMA, SQUARES, bar_1, bar_2, bar_3, e, e_0, energy,
                       eps, heat, lam, mu, sigma, sigma_1, sigma_2, sigma_3, theta)
@@ -103,7 +101,7 @@ def write(page):
     page.section("19", "Elastic forces", ["equations.force::Q_e"])
     page.words("""If the nodal coordinates change a little, the energy changes; its derivative is the force against that change. The strains are
         quadratic in {e}, so the derivative is {e} times a matrix, which depends on {e} again:""", e=e)
-    page.formula(Q_e.T, Derivative(U, r"\mathbf e", NODAL), e.T * K, number="19", blind=(),
+    page.formula(Q_e.T, Derivative(U, r"\mathbf e", NODAL), e.T * K, number="19",
                  how="""The left side is the work of the first Piola-Kirchhoff stress on the rates of the gradient, the principle of
                  virtual work; no energy is differentiated for it.""")
     page.words("""No force acts where nothing is strained, and forces inside a body have no resultant: moving all positions along {d} does no
@@ -143,7 +141,7 @@ def write(page):
         (SHEAR.T * K_3_rest_printed * e_0, -(half * Y.l * Y.h * Y.w)),
         (SHEAR.T * K_3_rest * e_0, node(0))],
         how="""The first left side is summed from strains; the others are products of matrices at the nodal coordinates of the straight element
-        at any inclination.""", blind=ALL_BLIND)
+        at any inclination.""", blind=(r"2 \mathbf s", r"2 \mathbf e_0", r"2 \mathbf K_3(\mathbf e_0)"))
     page.words("""With it an element lying on a table would start to shear by itself.""")
 
     page.section("", "The tangent", ["equations.force::tangent"])
@@ -186,15 +184,11 @@ def softening(angle, own, constants, density):
 
 def shear_of_unit_size():
     """Nodal coordinates of the displacement whose strain at the start is E_12 = 1 in global axes."""
-    c, s = GEN["c"], GEN["s"]
-    X, Z = sympy.symbols("x y")
-    l, cc, ss = sympy.symbols("l c s")
+    c, s = sympy.symbols("c s")
     # The displacement (r_0y, r_0x) of the point r_0 = R (x, y): its gradient by r_0 is [[0, 1], [1, 0]].
-    from .. import field
-    fields = (ss * field.x + cc * field.y, cc * field.x - ss * field.y)
+    fields = (s * field.x + c * field.y, c * field.x - s * field.y)
     values = zip(*[field.nodal_values(component) for component in fields])
-    return column([Y.lift(value, (field.l, cc, ss)) for pair in values for value in pair])
+    return column([Y.lift(value, (field.l, c, s)) for pair in values for value in pair])
 
 
 SHEAR = Symbol(r"\mathbf s", shear_of_unit_size())
-ALL_BLIND = ()

@@ -71,7 +71,7 @@ def write(page):
     sixth, middle = Quotient(g, node(6)), Quotient(2 * g, node(3))
     page.formula(Q_w, Integral("V", rho * S.T * g),
                  mass * Table([sixth], [zero], [middle], [zero], [zero], [sixth], [zero]),
-                 how="The left side is the derivative of the work, integrated from the polynomial.")
+                 how="The left side is the derivative of the work, integrated from the polynomial.", blind=(r"2 \mathbf 0",))
     page.words("""The ends carry a sixth of the weight each and the middle two thirds: Simpson's rule. The slopes carry nothing, as the
         weight of a straight section pulls at its middle.""")
 

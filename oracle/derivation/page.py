@@ -1,36 +1,35 @@
 """The page: words, formulas that are checked as they are written down, and links into the code."""
 
 import sympy
+from flint import fmpq, fmpq_mpoly
 
 from . import algebra
 from .algebra import Matrix, is_zero
-from .notation import Reading, Symbol, compute, in_ring
+from .notation import Reading, Symbol, compute
 
 KINDS = {
     "ring": "Equal as polynomials, whatever the symbols stand for.",
     "sympy": "Equal as expressions, whatever the symbols stand for.",
+    "state": "Equal as rational numbers, in a state drawn at random.",
 }
 
 
 class Formula:
-    """Parts that must be equal, in the order in which they are written.
+    """Parts that must be equal, in the order in which they are written."""
 
-    `blind` names the mistakes in it that are none: what they change is zero, or equal to what it was.
-    """
-
-    def __init__(self, parts, blind=()):
-        self.parts, self.blind = list(parts), set(blind)
+    def __init__(self, parts):
+        self.parts = list(parts)
         first, *others = compute(self.parts, Reading())
         for part, value in zip(self.parts[1:], others):
             assert same(first, value), f"not equal:\n  {self.parts[0].tex()}\n  {part.tex()}"
 
-    def __format__(self, _):
-        return f"$`{' = '.join(part.tex() for part in self.parts)}`$"
-
     @property
     def kind(self):
-        """What the values are made of."""
-        return "ring" if any(in_ring(leaf) for part in self.parts for leaf in part.leaves()) else "sympy"
+        """What the values are made of: polynomials, expressions, or numbers alone."""
+        entries = [entry for part in self.parts for leaf in part.leaves() for entry in entries_of(leaf)]
+        if any(isinstance(entry, fmpq_mpoly) for entry in entries):
+            return "ring"
+        return "state" if any(isinstance(entry, fmpq) for entry in entries) else "sympy"
 
     def lines(self):
         """The text, broken before each equality sign but the first."""
@@ -57,6 +56,11 @@ class Formula:
         return found, count
 
 
+def entries_of(leaf):
+    """What a symbol stands for, as a list of numbers."""
+    return algebra.entries(leaf.meaning) if isinstance(leaf, Symbol) else []
+
+
 def same(a, b):
     """Whether two values are equal."""
     if isinstance(a, Matrix) != isinstance(b, Matrix) or isinstance(a, Matrix) and a.shape != b.shape:
@@ -75,8 +79,7 @@ def holds(parts, reading):
 
 def numbers_for(parts):
     """Rational numbers for the ring's variables, and for those of sympy but angles."""
-    values = [entry for part in parts for leaf in part.leaves() if isinstance(leaf, Symbol)
-              for entry in algebra.entries(leaf.meaning)]
+    values = [entry for part in parts for leaf in part.leaves() for entry in entries_of(leaf)]
     symbols = set().union(*(value.free_symbols for value in values if isinstance(value, sympy.Basic)))
     chosen = {symbol: sympy.Rational(7 + 2 * k, 11 + k) for k, symbol in enumerate(sorted(symbols, key=str))
               if symbol.name != "theta"}
@@ -86,8 +89,8 @@ def numbers_for(parts):
 class Page:
     """Text that grows from top to bottom, with the formulas in it."""
 
-    def __init__(self, glossary):
-        self.blocks, self.formulas, self.glossary = [], [], glossary
+    def __init__(self):
+        self.blocks, self.groups = [], []
 
     def heading(self, title, level=2):
         """A heading without an equation."""
@@ -99,16 +102,18 @@ class Page:
         if rust:
             self.rust(*rust)
 
-    def rust(self, *functions):
-        """Links to functions of src/, as file::function."""
-        links = [f"[`{name}`](../src/{name.split('::')[0].replace('.', '/')}.rs)" for name in functions]
-        self.blocks.append("In Rust: " + ", ".join(link.replace("[`equations.", "[`") for link in links) + ".")
+    def rust(self, *items):
+        """Links to functions and types of src/, given as module.file::item."""
+        links = []
+        for item in items:
+            file, name = item.split("::")
+            links.append(f"[`{file.split('.')[-1]}::{name}`](../src/{file.replace('.', '/')}.rs)")
+        self.blocks.append("In Rust: " + ", ".join(links) + ".")
 
     def words(self, text, **named):
-        """A paragraph. No formula is typed in it: {name} is one of the glossary or of `named`."""
+        """A paragraph. No formula is typed in it: {name} is one of `named`."""
         assert "$" not in text and "\\" not in text, f"typed formula: {text}"
-        self.formulas += [formula for formula in named.values() if isinstance(formula, Formula)]
-        self.blocks.append(" ".join(text.format_map(self.glossary | named).split()))
+        self.blocks.append(" ".join(text.format_map(named).split()))
 
     def drawing(self, text):
         """A sketch in characters."""
@@ -117,41 +122,45 @@ class Page:
     def table(self, head, rows):
         """A table of words and symbols."""
         lines = [head, ["---"] * len(head), *rows]
-        text = "\n".join("| " + " | ".join(line) + " |" for line in lines)
-        self.blocks.append(text.format_map(self.glossary))
+        self.blocks.append("\n".join("| " + " | ".join(line) + " |" for line in lines))
 
-    def items(self, *entries, **named):
-        """A list."""
-        text = "\n".join("* " + " ".join(entry.split()) for entry in entries)
-        assert "$" not in text and "\\" not in text
-        self.formulas += [formula for formula in named.values() if isinstance(formula, Formula)]
-        self.blocks.append(text.format_map(self.glossary | named))
+    def commands(self, text):
+        """Lines for a shell."""
+        self.blocks.append("```sh\n" + text.strip("\n") + "\n```")
+
+    def details(self, summary, text):
+        """A paragraph that is folded away."""
+        self.blocks.append(f"<details><summary>{summary}</summary>\n\n{' '.join(text.split())}\n\n</details>")
 
     def formula(self, *parts, number=None, how, blind=()):
         """One displayed chain of equalities."""
         self.formulas_of([parts], number=number, how=how, blind=blind)
 
     def formulas_of(self, chains, *, number=None, how, blind=()):
-        """Several under one number."""
-        formulas = [Formula(chain, blind) for chain in chains]
-        self.formulas += formulas
+        """Several under one number. `blind`: the mistakes in them that are none, as what they change is zero or the same."""
+        formulas = [Formula(chain) for chain in chains]
+        self.groups.append((formulas, set(blind)))
         lines = [line for formula in formulas for line in formula.lines()]
         body = lines[0].replace("&= ", "= ") if len(lines) == 1 else (
             "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}")
         tag = f" \\tag{{{number}}}" if number else ""
-        kinds = {KINDS[formula.kind] for formula in formulas}
+        kinds = dict.fromkeys(KINDS[formula.kind] for formula in formulas)
         self.blocks.append(f"```math\n{body}{tag}\n```")
-        self.blocks.append(f"> **Asserted.** {' '.join(how.format_map(self.glossary).split())} {' '.join(sorted(kinds))}")
+        self.blocks.append(f"> **Asserted.** {' '.join(how.split())} {' '.join(kinds)}")
 
     def text(self):
         """The page as Markdown."""
         return "\n\n".join(self.blocks) + "\n"
 
     def noticed(self):
-        """How many mistakes were tried; each must be noticed, but for those that a formula declares to be none."""
-        tried = spared = 0
-        for formula in self.formulas:
-            found, count = formula.unnoticed()
-            assert set(found) <= formula.blind, f"{formula.parts[0].tex()}: unnoticed {set(found) - formula.blind}"
-            tried, spared = tried + count, spared + len(found)
-        return tried, spared
+        """Formulas, mistakes tried in them, and how many of these were none; all others must be noticed."""
+        count = tried = none = 0
+        for formulas, blind in self.groups:
+            found = []
+            for formula in formulas:
+                unnoticed, number = formula.unnoticed()
+                found += unnoticed
+                tried += number
+            assert set(found) == blind, f"{formulas[0].parts[0].tex()}: unnoticed {set(found)}, declared {blind}"
+            count, none = count + len(formulas), none + len(found)
+        return count, tried, none

@@ -93,7 +93,8 @@ def write(page):
         (Where(r, 0, 0), r_i), (Where(r_y, 0, 0), r_y_i),
         (Where(r, l, 0), r_k), (Where(r_y, l, 0), r_y_k),
         (Where(r, half, 0), r_j), (Where(r_x, half, 0), r_x_j), (Where(r_y, half, 0), r_y_j)],
-        number="A.2", how="The left sides are the field with the coefficients (A.3) below, and its derivatives, at the nodes.")
+        number="A.2", blind=("0 + 1",),
+        how="The left sides are the field with the coefficients (A.3) below, and its derivatives, at the nodes.")
     free = sympy.symbols("a_0:7")
     system = sympy.Matrix([[sympy.diff(value, k) for k in free] for value in field.nodal_values(field.polynomial(free))])
     page.words("""These are seven linear equations for the seven coefficients of each component. They have exactly one solution,
