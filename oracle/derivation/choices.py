@@ -4,16 +4,19 @@ import sympy
 
 from .. import field
 from . import symbols as Y
-from .algebra import GEN, NODAL, column, entries, normal, replace
+from .algebra import GEN, NODAL, column, entries, hessian, normal, replace
 from .force import U
 from .material import E, LAMBDA, MU, lambda_of, mu_of, nu
-from .notation import Grouped, Integral, Quotient, Root, Symbol, Table, node
+from .notation import POWER, PRODUCT, Along, Grouped, Integral, Power, Quotient, Root, Symbol, Table, node
 from .strain import turned
 from .symbols import cosine, e_0, h, heat, l, lam, mu, sine, w, y
 
 half = node("1/2")
+LENGTH, BETA, HEIGHT, WIDTH = (Symbol(text, sympy.Symbol(name, positive=True)) for text, name in
+                               (("l", "l"), (r"\beta", "beta"), ("h", "h"), ("w", "w")))
+XI = Symbol(r"\xi", sympy.Symbol("xi"))
 PENDULUM = sympy.Rational(285, 10**7) * 200  # the thermal strain of Section 3
-a = Symbol(r"\alpha_T \Delta T", sympy.Symbol("a", positive=True))
+a = Symbol(r"\alpha_T \Delta T", sympy.Symbol("a", positive=True), PRODUCT)
 
 
 def expansion(out_of_plane):
@@ -37,25 +40,27 @@ def held():
     return results
 
 
-def curvature_of_energy(*own):
-    """The second derivative of U at the cold, straight element, along a field given in the rod's own axes."""
-    c, s, l_ = sympy.symbols("c s l")
-    rotated = (c * own[0] - s * own[1], s * own[0] + c * own[1])
-    rate = [Y.lift(value, (field.l, c, s)) for pair in zip(*[field.nodal_values(f) for f in rotated]) for value in pair]
-    path = {name: start + GEN["rho"] * step for name, start, step in zip(NODAL, entries(e_0.meaning), rate)}
-    along = replace(U.meaning, heat=Y.ZERO, **path)
-    return normal(replace(along.derivative("rho").derivative("rho"), rho=Y.ZERO))
+def nodal_rate(*own):
+    """Nodal coordinates of a field that is given in the rod's own axes."""
+    c, s = sympy.symbols("c s")
+    turned_field = (c * own[0] - s * own[1], s * own[0] + c * own[1])
+    values = zip(*[field.nodal_values(component) for component in turned_field])
+    return column([Y.lift(value, (field.l, c, s)) for pair in values for value in pair])
+
+
+def tangent_at_rest():
+    """The second derivatives of U at the cold, straight element."""
+    rest = dict(zip(NODAL, entries(e_0.meaning)), heat=Y.ZERO)
+    return hessian(U.meaning, NODAL).each(lambda entry: normal(replace(entry, **rest)))
 
 
 def membrane():
-    """The least axial energy of a cubic axis with the deflection beta xi^3/6, over EA: what u cannot cancel of v'^2/2."""
-    xi, length, beta = sympy.symbols("xi l beta", positive=True)
+    """The slope u' of a cubic u that cancels most of v'^2/2, where v' = beta xi^2/2."""
+    length, beta, xi = LENGTH.meaning, BETA.meaning, XI.meaning
     slopes = sympy.symbols("u_0:3")
-    strain = sum(u * xi**k for k, u in enumerate(slopes)) + (beta * xi**2 / 2) ** 2 / 2
-    energy = sympy.integrate(sympy.expand(strain**2) / 2, (xi, -length / 2, length / 2))
-    best = sympy.solve([energy.diff(u) for u in slopes], slopes)
-    bending = sympy.integrate((beta * xi) ** 2 / 2, (xi, -length / 2, length / 2))
-    return sympy.factor(energy.subs(best)), bending, (length, beta)
+    slope = sum(u * xi**k for k, u in enumerate(slopes))
+    energy = sympy.integrate(sympy.expand((slope + (beta * xi**2 / 2) ** 2 / 2) ** 2), (xi, -length / 2, length / 2))
+    return slope.subs(sympy.solve([energy.diff(u) for u in slopes], slopes))
 
 
 def write(page):
@@ -86,10 +91,10 @@ def write(page):
     page.words("""Bend the element at rest to the unit curvature: fibres above the axis shorten, those below stretch, in proportion to {y}. They want to grow
         and shrink across, in proportion to {y} too, but {r_y} is one vector for the whole section. So the full plane-strain modulus resists, where a
         beam has a smaller one:""", y=y, r_y=Symbol(r"\mathbf r_y", 0))
-    bend = (-field.x * field.y, field.x**2 / 2)
-    bending = Symbol(r"\frac{\partial^2 U}{\partial \kappa^2}", curvature_of_energy(*bend))
-    page.formula(bending, (lam + 2 * mu) * l * Quotient(w * h**3, node(12)),
-                 how="The left side is the second derivative of the energy along this bending, at any inclination.")
+    bend = Symbol(r"\mathbf b", nodal_rate(-field.x * field.y, field.x**2 / 2))
+    tangent = Symbol(r"\frac{\partial \mathbf Q_e}{\partial \mathbf e}(\mathbf e_0)", tangent_at_rest(), PRODUCT)
+    page.formula(bend.T * tangent * bend, (lam + 2 * mu) * l * Quotient(w * h**3, node(12)),
+                 how="""The left side is the second derivative of the energy, at any inclination, along the nodal coordinates of such a bending.""")
     page.words("The deflection of a slender beam comes out too small by the ratio of the moduli, whatever the mesh:")
     page.formula(Quotient(Quotient(E, 1 - nu**2), lambda_of + 2 * mu_of), Quotient(1 - 2 * nu, (1 - nu)**2),
                  how="Both sides are computed; the constants on the left are those derived in (17).")
@@ -98,37 +103,46 @@ def write(page):
 
     page.section("", "M4 Slender rods in large bending converge slowly")
     page.words("""A slender rod bends without stretching: the axis has to shorten along the chord as it deflects. Let the curvature grow linearly in an element,
-        {v} with {xi} from its middle. The shortening that this needs is of degree four in {xi}, and the slope of a cubic axis has degree two. What
-        it cannot cancel is stretch, and costs an energy that no beam has. The least of it, beside the energy of bending:""",
-               v=Symbol(r"v = \beta \xi^3 / 6", 0), xi=Symbol(r"\xi", 0))
-    energy, bending_energy, (length, beta) = membrane()
-    l_, b_ = Symbol("l", length), Symbol(r"\beta", beta)
-    EA, EI = (Symbol(text, sympy.Symbol(text, positive=True)) for text in ("EA", "EI"))
+        with the rate {beta}, and let {xi} be the distance from its middle. The deflection {v} has the slope and the curvature""",
+               beta=BETA, xi=XI, v=Symbol("v", 0))
+    deflection = BETA.meaning * XI.meaning**3 / 6
+    v_x = Symbol("v'", deflection.diff(XI.meaning), POWER)
+    v_xx = Symbol("v''", deflection.diff(XI.meaning, 2), POWER)
+    u_x = Symbol("u'", membrane(), POWER)
+    page.formulas_of([(v_x, half * BETA * XI**2), (v_xx, BETA * XI)],
+                     how="The left sides are derivatives of a cubic.")
+    page.words("""The shortening that this needs, half the square of the slope, is of degree four in {xi}, and the slope {u} of the cubic displacement along the axis
+        has degree two. Its best choice leaves a stretch, which costs an energy that no beam has. Beside the energy of bending:""", xi=XI, u=u_x)
+    ends = (-Quotient(LENGTH, node(2)), Quotient(LENGTH, node(2)))
+    stretch_form = half * Along(E * WIDTH * HEIGHT * (u_x + half * v_x**2)**2, XI, *ends)
+    bend_form = half * Along(E * Quotient(WIDTH * HEIGHT**3, node(12)) * v_xx**2, XI, *ends)
+    section = WIDTH.meaning * HEIGHT.meaning
+    # By Legendre's polynomial of degree four: xi^4 less its best quadratic is 8/35 (l/2)^4 P_4, and P_4^2 has the mean 1/9.
+    left_over = (BETA.meaning**2 / 8 * sympy.Rational(8, 35) * (LENGTH.meaning / 2) ** 4) ** 2 / 9 * LENGTH.meaning
+    stretched = Symbol(r"U_\text{stretch}", E.meaning * section * left_over / 2)
+    bent = Symbol(r"U_\text{bend}", E.meaning * section * HEIGHT.meaning**2 / 12 * BETA.meaning**2 * LENGTH.meaning**3 / 24)
     page.formulas_of([
-        (Symbol(r"\min_u \tfrac{1}{2} \int EA \left(u' + \tfrac{1}{2} v'^2\right)^2 \mathrm d\xi", energy * EA.meaning),
-         Quotient(EA * b_**4 * l_**9, node(5644800))),
-        (Symbol(r"\tfrac{1}{2} \int EI\, v''^2 \mathrm d\xi", bending_energy * EI.meaning), Quotient(EI * b_**2 * l_**3, node(24)))],
-        how="The left sides are integrated, the first with the three coefficients of least energy.")
-    height = Symbol("h", sympy.Symbol("h", positive=True))
-    ratio = (energy / bending_energy) * 12 / height.meaning**2
-    page.words("For a rectangular section their ratio is")
-    page.formula(Symbol(r"\frac{\text{stretch}}{\text{bending}}", ratio), Grouped(Quotient(b_ * l_**3, 140 * height))**2,
-                 how="The left side is the quotient of the two, with the moments of a rectangle.")
+        (stretched, stretch_form, Quotient(E * WIDTH * HEIGHT * BETA**4 * LENGTH**9, node(5644800))),
+        (bent, bend_form, Quotient(E * WIDTH * HEIGHT**3 * BETA**2 * LENGTH**3, node(288))),
+        (Quotient(stretched, bent), Power(Grouped(Quotient(BETA * LENGTH**3, 140 * HEIGHT)), node(2)))],
+        how="""The first left side is known from Legendre's polynomial of degree four, which is what no quadratic can cancel of a fourth power; the
+        integral has the three coefficients of least energy put in.""")
     page.words("""Half the element's length makes it 64 times smaller: it goes away with the mesh, but for slender rods late.""")
 
     page.section("", "M5 How many Gauss points are exact")
     density = normal(energy_density())
     degrees = dict(zip(("x", "y"), density.degrees()[:2]))
-    page.words("""A straight element's strain is of degree four along and two across, its energy of twice that. A rule with {n} points integrates polynomials
-        to the degree {exact} exactly: five points along and three across suffice, and fewer do not, as""", n=Symbol("n", 0), exact=Symbol("2n - 1", 0))
+    page.words("""A straight element's strain is of degree four along and two across, its energy of twice that. A rule of Gauss integrates polynomials exactly to one degree less
+        than twice the number of its points: five points along (degree nine) and three across (five) suffice, and fewer do not, as""")
     page.formulas_of([(Symbol(r"\deg_x", sympy.Integer(degrees["x"])), node(8)),
                       (Symbol(r"\deg_y", sympy.Integer(degrees["y"])), node(4))],
                      how="The left sides are the degrees of the energy's density as a polynomial of the place.")
 
     page.section("", "M6 No shear correction")
     page.words("""A straight section that leans by the unit angle shears evenly, and the energy is that of an even stress:""")
-    page.formula(Symbol(r"\frac{\partial^2 U}{\partial \gamma^2}", curvature_of_energy(field.y, sympy.Integer(0))), mu * l * h * w,
-                 how="The left side is the second derivative of the energy along this shear, at any inclination.")
+    lean = Symbol(r"\mathbf c", nodal_rate(field.y, sympy.Integer(0)))
+    page.formula(lean.T * tangent * lean, mu * l * h * w,
+                 how="The left side is the second derivative of the energy, at any inclination, along the nodal coordinates of such a shear.")
     page.words("""In a solid the stress is a parabola across the section, zero at both faces, {tau} but for a factor, and carries the same force with more
         energy. The factor by which an even stress is too stiff is""", tau=Symbol(r"\tau", 0))
     tau = h**2 - 4 * y**2

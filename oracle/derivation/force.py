@@ -4,10 +4,10 @@ import sympy
 
 from .. import field
 from . import symbols as Y
-from .algebra import NODAL, Matrix, column, hessian, normal, over_volume, replace, total
-from .notation import Derivative, Grouped, Integral, Symbol, Transposed, node
+from .algebra import NODAL, Matrix, column, normal, over_volume, replace, total
+from .notation import Derivative, Evaluated, Grouped, Integral, Quotient, Symbol, node
 from .symbols import (EPS, HALF, PLANE, S_a, S_a1, S_b, S_b1, S_c, S_c1, SIGMA, SQUARES, bar_1, bar_2, bar_3, e, e_0, energy,
-                      eps, heat, lam, mu, sigma, sigma_1, sigma_2, sigma_3, theta)
+                      eps, eps_1, eps_2, eps_3, heat, lam, mu, sigma, sigma_1, sigma_2, sigma_3, theta)
 
 quarter, half = node("1/4"), node("1/2")
 
@@ -70,29 +70,28 @@ def write(page):
     page.formula(U_printed, half * Integral("V", eps.T * sigma), U - Integral("V", mu * bar_3**2),
                  how="The left side is summed strain by strain.")
     angle, own, constants, density = frame()
-    W = Symbol(r"W", density(4))
-    W_printed = Symbol(r"W_\text{printed}", density(2))
+    psi = Symbol(r"\psi", density(4))
+    psi_printed = Symbol(r"\psi_\text{printed}", density(2))
     E_11, E_22, E_12 = (Symbol(f"E_{{{n}}}", symbol) for n, symbol in zip(("11", "22", "12"), own))
     second = Symbol(r"\mu", constants[1])
     page.words("""This is no matter of taste, because a body's energy must not depend on who looks. Take one strain, given in the rod's own
-        axes, and describe it from a frame turned by {theta}. With the 2, the density {W} does not change; without it, it does.
-        At the frame along the rod:""", theta=theta, W=W)
+        axes, and describe it from a frame turned by {theta}. With the 2, the density {psi} of the energy does not change; without it, it does.
+        At the frame along the rod:""", theta=theta, psi=psi)
 
-    def slope(symbol, at=None):
-        value = sympy.diff(symbol.meaning, angle)
-        bar = rf"\left.\frac{{\partial {symbol.text}}}{{\partial\theta}}\right|_{{\theta=0}}"
-        text = rf"\frac{{\partial {symbol.text}}}{{\partial\theta}}" if at is None else bar
-        return Symbol(text, value if at is None else value.subs(angle, at))
+    def slope(symbol):
+        return Derivative(symbol, theta.text, [angle])
 
-    page.formulas_of([(slope(W), node(0)), (slope(W_printed, 0), 2 * second * E_12 * (E_22 - E_11))],
+    turn = Symbol(theta.text, angle)
+    page.formulas_of([(slope(psi), node(0)),
+                      (Evaluated(slope(psi_printed), turn, 0), 2 * second * E_12 * (E_22 - E_11))], blind=(f"2 {psi.text}",),
                      how="The left sides are derivatives of the densities of a strain turned by the rotation matrix.")
     cos, sin = Symbol(r"\cos\theta", sympy.cos(angle)), Symbol(r"\sin\theta", sympy.sin(angle))
     bending, tension = softening(angle, own, constants, density)
     page.words("""What it does to a slender rod whose {nu} is zero, beside the right one: its stiffness in bending, and its compliance in
         tension, get the factors""", nu=Symbol(r"\nu", 0))
     page.formulas_of([
-        (Symbol(r"\frac{B_\text{printed}}{B}", bending), 1 - square(sin) * square(cos)),
-        (Symbol(r"\frac{C_\text{printed}}{C}", tension), 1 + 2 * square(sin) * square(cos))],
+        (Quotient(*(Symbol(text, value) for text, value in zip((r"B_\text{printed}", "B"), bending))), 1 - square(sin) * square(cos)),
+        (Quotient(*(Symbol(text, value) for text, value in zip((r"C_\text{printed}", "C"), tension))), 1 + 2 * square(sin) * square(cos))],
         how="""Bending: the density of an axial strain alone. Tension: the axial strain is given and the other two take the values of least
         energy.""")
     page.words("""A rod at 45 degrees loses a quarter of its stiffness in bending and a third in tension, one along an axis none. Rods of a
@@ -143,20 +142,25 @@ def write(page):
         how="""The first left side is summed from strains; the others are products of matrices at the nodal coordinates of the straight element
         at any inclination.""", blind=(r"2 \mathbf s", r"2 \mathbf e_0", r"2 \mathbf K_3(\mathbf e_0)"))
     page.words("""With it an element lying on a table would start to shear by itself.""")
+    page.words("""With heat along the axis only ([M7](#m7-one-dimensional-heat-has-a-direction)) each bracket of (21) loses twice its own component of the thermal strain, the
+        third one too.""")
 
     page.section("", "The tangent", ["equations.force::tangent"])
     page.words("""Newton's iteration needs to know how the forces change with {e}; the paper leaves it out. By the product rule: {K} once, and once the
-        derivative of what is in the brackets of (21), which is twice the strains and whose derivative is {a} and its like.""",
-               e=e, K=K, a=S_a1 * e)
-    a, b, c = (S_n * e for S_n in (S_a1, S_b1, S_c1))
+        derivative of what is in the brackets of (21). These are twice the strains, with the derivatives""", e=e, K=K)
+    a, b, c = (Symbol(rf"\mathbf {name}", column([form.derivative(n) * 2 for n in NODAL]))
+               for name, form in zip("abc", (eps_1.meaning, eps_2.meaning, eps_3.meaning)))
+    page.formulas_of([(a, S_a1 * e), (b, S_b1 * e), (c, S_c1 * e)],
+                     how="The left sides are the derivatives of twice the strains that are found from the lengths of fibres.")
+    page.words("So the tangent is")
 
     def outer(p, q):
-        return p * Transposed(q)
+        return p * q.T
 
-    page.formula(Symbol(r"\frac{\partial \mathbf Q_e}{\partial \mathbf e}", hessian(energy(), NODAL)),
+    page.formula(Symbol(r"\frac{\partial \mathbf Q_e}{\partial \mathbf e}", Matrix([[force.derivative(name) for name in NODAL] for (force,) in Q_e.meaning.rows])),
                  K + quarter * Integral("V", (lam + 2 * mu) * (outer(a, a) + outer(b, b)) + lam * (outer(a, b) + outer(b, a))
                                         + 4 * mu * outer(c, c)),
-                 how="The left side holds the second derivatives of the energy.")
+                 how="The left side holds the derivatives of the force of virtual work.")
     page.words("""{K} holds the stresses and is called the geometric part, the integral holds the elasticity, the material part. Both are symmetric, as
         second derivatives are.""", K=K)
 
@@ -168,7 +172,7 @@ def square(symbol):
 
 
 def softening(angle, own, constants, density):
-    """What the printed shear does to a slender rod at nu = 0, as ratios to the right one: bending and tension."""
+    """A slender rod at nu = 0 with the printed shear and the right one: stiffness in bending, compliance in tension."""
     E_11, E_22, E_12 = own
     value = {constants[0]: 0}
 
@@ -176,10 +180,10 @@ def softening(angle, own, constants, density):
         return sympy.simplify(2 * density(weight).subs(value).subs(strain))
 
     axial = {E_11: 1, E_22: 0, E_12: 0}
-    bending = sympy.simplify(stiffness(2, axial) / stiffness(4, axial))
+    bending = stiffness(2, axial), stiffness(4, axial)
     free = [density(weight).subs(value).subs(E_11, 1) * 2 for weight in (2, 4)]
     least = [form.subs(sympy.solve([form.diff(E_22), form.diff(E_12)], [E_22, E_12])) for form in free]
-    return bending, sympy.simplify(least[1] / least[0])
+    return bending, [sympy.simplify(1 / form) for form in least]
 
 
 def shear_of_unit_size():

@@ -17,7 +17,7 @@ ROWS = (
     (r"\mathbf e,\ \mathbf e_0", "the 14 nodal coordinates, now and at the start", "m; slopes 1"),
     (r"\mathbf S,\ S_1 \dots S_7", "shape matrix, two rows and 14 columns; shape functions", "1; of slopes m"),
     (r"\rho,\ \mathbf g", "density; acceleration of gravity", "kg/m³; m/s²"),
-    (r"T,\ U,\ W", "kinetic energy; strain energy; work of the loads (with E3 a density of energy)", "J"),
+    (r"T,\ U,\ W", "kinetic energy; strain energy; work of the loads", "J"),
     (r"\mathbf M,\ \mathbf K", "mass matrix and stiffness matrix, 14 rows and columns", "kg; N/m (slopes: times m, m²)"),
     (r"\mathbf Q_e,\ \mathbf Q_w", "elastic forces; forces of the loads", "N; on slopes N m"),
     (r"\theta", "inclination of the straight element at the start", "rad"),

@@ -3,12 +3,11 @@
 import sympy
 from flint import fmpq, fmpq_mat
 
-from . import symbols as Y
 from .algebra import DOF, NAMES, NODAL, Matrix, column, some_values, total
 from .force import Q_e, U
 from .inertia import KINETIC, M, Q_w, WORK
-from .notation import Grouped, Symbol, Table, node
-from .symbols import HALF, PLANE
+from .notation import PRODUCT, Derivative, Grouped, Reading, Symbol, Table, compute, node
+from .symbols import PLANE
 
 CLAMPED = 4  # constraints of the two pinned elements
 
@@ -33,6 +32,10 @@ class Numbers:
         place = self.values | dict(zip(NODAL, at or self.e))
         return column([energy.derivative(name)(*[place[n] for n in NAMES]) for name in NODAL])
 
+    def rate_of_momentum(self, e_dot, e_ddot):
+        """d/dt of dT/de_dot. T is quadratic in the rates, so its derivative changes linearly with them."""
+        return self.gradient(KINETIC, [v + a for v, a in zip(e_dot, e_ddot)]) - self.gradient(KINETIC, e_dot)
+
     @property
     def e(self):
         """The nodal coordinates."""
@@ -48,12 +51,6 @@ def solve(matrix, right):
 def rates(seed):
     """Fourteen rational numbers."""
     return [some_values(seed)[name] for name in NODAL]
-
-
-def lagrange(element, e_dot, e_ddot):
-    """d/dt dT/de_dot - dT/de + dU/de - dW/de. T is quadratic in the rates, so its derivative changes linearly with them."""
-    after = element.gradient(KINETIC, [v + a for v, a in zip(e_dot, e_ddot)])
-    return after - element.gradient(KINETIC, e_dot) + element.force - element.weight
 
 
 class Pinned:
@@ -109,10 +106,13 @@ def write(page):
     page.words("""Lagrange's equations turn energies into motion: the rate of the momentum, less what the kinetic energy gains by position, plus what
         the strain energy resists, less what the loads' work {W} gives. {T} does not depend on position here. For any state and any acceleration:""",
                W=Symbol("W", 0), T=Symbol("T", 0))
+    momentum, none, elastic, loads = (Symbol(text, meaning, PRODUCT) for text, meaning in (
+        (r"\frac{\mathrm d}{\mathrm dt} \frac{\partial T}{\partial \dot{\mathbf e}}", element.rate_of_momentum(v, a)),
+        (r"\frac{\partial T}{\partial \mathbf e}", column([fmpq(0)] * DOF)),
+        (r"\frac{\partial U}{\partial \mathbf e}", element.force),
+        (r"\frac{\partial W}{\partial \mathbf e}", element.weight)))
     page.formula(
-        Symbol(r"\frac{\mathrm d}{\mathrm dt} \frac{\partial T}{\partial \dot{\mathbf e}} - \frac{\partial T}{\partial \mathbf e}"
-               r" + \frac{\partial U}{\partial \mathbf e} - \frac{\partial W}{\partial \mathbf e}", lagrange(element, v, a)),
-        M_ * e_ddot + Q_e_ - Q_w_,
+        momentum - none + elastic - loads, M_ * e_ddot + Q_e_ - Q_w_, blind=(f"2 {none.text}", f"sign of {(-none).tex()}"),
         how="The left side is differentiated from the energies, along a motion; the right side holds the mass matrix and the force of virtual work.")
     page.words("On a motion it is zero:")
     moving = solve(M_.meaning, element.weight - element.force)
@@ -122,8 +122,9 @@ def write(page):
     page.words("""Multiply by the velocity, and the power of the loads is what the energies gain. So a program can watch the sum of its energies; but a kept
         sum is no evidence of accuracy.""")
     e_dot = Symbol(r"\dot{\mathbf e}", column(v))
-    gain = dot(element.gradient(KINETIC, v), moving) + dot(element.force, e_dot.meaning)
-    page.formula(Symbol(r"\frac{\mathrm d}{\mathrm dt} (T + U)", gain), Q_w_.T * e_dot,
+    T_dot = Symbol(r"\dot T", dot(element.gradient(KINETIC, v), moving))
+    U_dot = Symbol(r"\dot U", dot(element.force, e_dot.meaning))
+    page.formula(T_dot + U_dot, Q_w_.T * e_dot,
                  how="The left side is the chain rule along the motion of (22).")
 
     page.section("23", "Elements held together",
@@ -140,10 +141,9 @@ def write(page):
     Phi_q = Symbol(r"\boldsymbol\Phi_q", Matrix([[f.diff(name) for name in names] for f in functions]))
     multipliers = Symbol(r"\boldsymbol\lambda", many)
     dq = Symbol(r"\delta\mathbf q", column(sympy.symbols("d_1:4")))
-    potential = total(k * f for k, f in zip(many.transpose().rows[0], functions))
+    Phi = Symbol(r"\boldsymbol\Phi", column(functions))
     page.formulas_of([
-        (Symbol(r"\left(\frac{\partial}{\partial \mathbf q} \boldsymbol\lambda^{\mathsf T} \boldsymbol\Phi\right)^{\mathsf T}",
-                column([potential.diff(name) for name in names])), Phi_q.T * multipliers),
+        (Derivative(multipliers.T * Phi, r"\mathbf q", names).T, Phi_q.T * multipliers),
         (dq.T * Phi_q.T * multipliers, multipliers.T * Grouped(Phi_q * dq))],
         how="The conditions are two arbitrary functions of three coordinates. The left side above is differentiated, below multiplied out.")
     page.words("""**E4, an error in the paper.** It prints {printed}, without the transpose. With fewer conditions than coordinates that product does not exist. With as
@@ -186,8 +186,6 @@ def dot(a, b):
 
 def without_meaning(formula):
     """A formula that must not have a value."""
-    from .notation import Reading, compute
-
     try:
         compute([formula], Reading())
     except ValueError:

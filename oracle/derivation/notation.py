@@ -157,8 +157,10 @@ class Number(Node):
 class Symbol(Node):
     """A name and what it stands for: a number, a polynomial, an expression or a matrix of these."""
 
-    def __init__(self, text, meaning):
+    def __init__(self, text, meaning, level=None):
         self.text, self.meaning = text, meaning
+        # A name that has a superscript already cannot take another one without brackets.
+        self.level = (POWER if "^" in text else ATOM) if level is None else level
 
     def tex(self):
         return self.text
@@ -229,7 +231,7 @@ class Product(Node):
         text = texts[0]
         for before, part, added in zip(self.parts, self.parts[1:], texts[1:]):
             text += (r" \cdot " if isinstance(part, Number) and isinstance(before, Number) else r"\," if
-                     isinstance(part, (Integral, Derivative, Total)) else " ") + added
+                     isinstance(part, (Integral, Derivative, Total, Along)) else " ") + added
         return text
 
     def value(self, reading):
@@ -335,6 +337,68 @@ class Where(Node):
     def value(self, reading):
         function, *place = [part.value(reading) for part in self.parts]
         return each(lambda entry: entry.subs(dict(zip((field.x, field.y), place))), function)
+
+
+class Evaluated(Node):
+    """An expression of sympy at a value of one variable, behind a bar."""
+
+    def __init__(self, part, variable, at):
+        self.variable, self.parts = variable, [part, node(at)]
+
+    def with_parts(self, parts):
+        return Evaluated(parts[0], self.variable, parts[1])
+
+    def tex(self):
+        part, at = [part.tex() for part in self.parts]
+        return rf"\left.{part}\right|_{{{self.variable.tex()} = {at}}}"
+
+    def bound(self):
+        """The variable that it puts a value in for."""
+        return {self.variable.meaning} | super().bound()
+
+    def value(self, reading):
+        part, at = [part.value(reading) for part in self.parts]
+        return part.subs(self.variable.meaning, at)
+
+
+class Determinant(Node):
+    """Of a matrix of expressions of sympy."""
+
+    level = PRODUCT
+
+    def __init__(self, part):
+        self.parts = [part]
+
+    def tex(self):
+        return rf"\det {self.inside(self.parts[0], PRODUCT)}"
+
+    def value(self, reading):
+        return sympy.Matrix(self.parts[0].value(reading).rows).det()
+
+
+class Along(Node):
+    """The integral of an expression of sympy over one variable."""
+
+    level = PRODUCT
+
+    def __init__(self, part, variable, low, high):
+        self.variable, self.parts = variable, [part, low, high]
+
+    def with_parts(self, parts):
+        return Along(parts[0], self.variable, *parts[1:])
+
+    def tex(self):
+        part, low, high = self.parts
+        return (rf"\int_{{{low.tex()}}}^{{{high.tex()}}} {self.inside(part, PRODUCT)}"
+                rf"\,\mathrm d{self.variable.tex()}")
+
+    def bound(self):
+        """The variable that it sums over."""
+        return {self.variable.meaning}
+
+    def value(self, reading):
+        part, low, high = [part.value(reading) for part in self.parts]
+        return sympy.integrate(sympy.expand(part), (self.variable.meaning, low, high))
 
 
 class Root(Node):

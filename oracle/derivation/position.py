@@ -4,7 +4,7 @@ import sympy
 
 from .. import field
 from .algebra import Matrix, column
-from .notation import Named, Quotient, Symbol, Table, Where, node
+from .notation import PRODUCT, Determinant, Named, Quotient, Symbol, Table, Where, node
 from .symbols import I, PLANE
 
 TEXTS = (r"\mathbf r^i", r"\mathbf r_y^i", r"\mathbf r^j", r"\mathbf r_x^j", r"\mathbf r_y^j", r"\mathbf r^k",
@@ -49,16 +49,15 @@ def write(page):
         nodes, {i} at one end, {j} in the middle, {k} at the other end, between which the position is interpolated.""",
                i=Symbol("i", 0), j=Symbol("j", 0), k=Symbol("k", 0))
     page.drawing("""
-   y ^                                      global Y
-     |  r_y^i        r_y^j        r_y^k        ^
-     |   ^            ^            ^           |       r_y^k  ^   k
-  ---|---|------------|------------|---        |             \\ o
-  h  |   o============o-->=========o----> x    |        j  _/     the same element
-  ---|---i------------j--r_x^j-----k---        |        _o'       in motion: seven
-     |   |<----------- l --------->|           |   i _/           vectors have changed
-     0  x = 0        x = l/2      x = l        |   o'
-                                               +-------------------> global X
-    """)
+       y
+       ^ r_y^i               ^ r_y^j               ^ r_y^k
+ h/2 - +---------------------|---------------------+
+       |                     |                     |
+   0 - o i                 j o------> r_x^j        o k - - > x
+       |                                           |
+-h/2 - +-------------------------------------------+
+       0                    l/2                    l
+""")
     page.words("""The coordinates {x} along the element and {y} across it name a material point and never change; {r}
         is where that point is now, in global axes. A subscript {x} or {y} is a derivative: {r_x} and {r_y}, the *slopes*, tell
         how the fibres along and across the element are turned and stretched. Unstretched, both have the length one.""",
@@ -99,8 +98,8 @@ def write(page):
     system = sympy.Matrix([[sympy.diff(value, k) for k in free] for value in field.nodal_values(field.polynomial(free))])
     page.words("""These are seven linear equations for the seven coefficients of each component. They have exactly one solution,
         because their determinant is not zero for any length:""")
-    page.formula(Symbol(r"\det \frac{\partial (\mathbf r^i, \mathbf r_y^i, \dots, \mathbf r_y^k)}{\partial (a_0, \dots, a_6)}",
-                        system.det()), sign_of(system.det()),
+    page.formula(Determinant(Symbol(r"\frac{\partial (\mathbf r^i, \mathbf r_y^i, \dots, \mathbf r_y^k)}{\partial (a_0, \dots, a_6)}",
+                                    Matrix(system.tolist()), PRODUCT)), Quotient(l**8, node(64)),
                  how="The left side is the determinant of the derivatives of (A.2), taken of (A.1) with free coefficients.")
 
     page.section("A.3", "The coefficients", ["equations.shape::coefficients", "equations.shape::coefficients_printed"])
@@ -187,12 +186,3 @@ def write(page):
     page.formula(Symbol(r"\dot{\mathbf r}", rate(SOLVED)), S * Symbol(r"\dot{\mathbf e}", rate(e.meaning)), number="5",
                  how="The left side is the time derivative of (A.1) with nodal vectors that are functions of time.")
 
-
-def sign_of(determinant):
-    """A determinant k l^n as a formula."""
-    factor, rest = determinant.as_coeff_Mul()
-    base, power = rest.as_base_exp()
-    assert base == field.l
-    value = node(abs(factor.p)) / node(factor.q) if factor.q > 1 else node(abs(factor.p))
-    formula = value * l ** int(power)
-    return -formula if factor < 0 else formula

@@ -9,7 +9,7 @@ from sympy import cos, sin
 from .. import field
 from .algebra import (DOF, GEN, NAMES, NODAL, RING, Matrix, column, hessian, lift, normal, over_volume,
                       replace, total)
-from .notation import Function, Number, Power, Quotient, Symbol
+from .notation import PRODUCT, Function, Number, Power, Quotient, Symbol
 
 PLANE = range(2)
 HALF = fmpq(1, 2)
@@ -18,7 +18,7 @@ ZERO, ONE = RING.constant(0), RING.constant(1)
 # Numbers of the ring.
 x, y, l, h, w = (Symbol(name, GEN[name]) for name in ("x", "y", "l", "h", "w"))
 rho, lam, mu = Symbol(r"\rho", GEN["rho"]), Symbol(r"\lambda", GEN["lam"]), Symbol(r"\mu", GEN["mu"])
-heat = Symbol(r"\alpha_T \Delta T", GEN["heat"])
+heat = Symbol(r"\alpha_T \Delta T", GEN["heat"], PRODUCT)
 theta = Symbol(r"\theta", None)
 COS, SIN = Symbol(r"\cos\theta", GEN["c"]), Symbol(r"\sin\theta", GEN["s"])
 ANGLE = {r"\cos": COS, r"\sin": SIN}
