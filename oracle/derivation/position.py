@@ -164,7 +164,7 @@ def write(page):
                  Table([vector.T for vector in NODAL]).T, number="4",
                  how="The left side is what (A.2) reads off the field, node by node.")
 
-    page.section("A.5", "What interpolation keeps")
+    page.section("A.5", "What interpolation keeps", ["equations.shape::S", "equations.shape::e"])
     page.words("""(A.5) collects (2), (3) and (4). Three sums tell whether the collection is right: an element that is moved as a whole
         must move as a whole, and one at rest must lie where its points are, along the axis and across it.""")
     page.formulas_of([(S_1 + S_3 + S_6, node(1)), (S_4 + Quotient(l, node(2)) * S_3 + l * S_6, x), (S_2 + S_5 + S_7, y)],
