@@ -1,4 +1,5 @@
-"""What formulas are checked in: polynomials over the rational numbers, expressions of sympy, and matrices of either.
+"""What formulas are checked in: polynomials over the rational numbers, expressions of sympy, and matrices of
+        either.
 
 The ring holds every symbol that an element has, l and 1/l as two of them, and the cosine and the sine of its
 inclination; a polynomial is zero if it is so with l (1/l) = 1 and cos^2 + sin^2 = 1.

@@ -2,9 +2,10 @@
 
 from . import symbols as Y
 from .algebra import GEN, column, replace
+from .calculus import Integral
 from .force import U
-from .notation import Integral, Quotient, Symbol, node
-from .symbols import heat, h, l, lam, mu, w, y
+from .notation import Quotient, Symbol, node
+from .symbols import h, heat, lam, mu, w, y
 
 half = node("1/2")
 
@@ -18,9 +19,11 @@ def write(page):
     """The chapter."""
     page.heading("8 For speed: the section by hand")
     page.rust("kernel.ancf::Ancf")
-    page.words("""Fifteen Gauss points with matrices of 14 rows are the formulas as they read, not how a program should run. Four steps make the same numbers
+    page.words("""Fifteen Gauss points with matrices of 14 rows are the formulas as they read, not how a
+        program should run. Four steps make the same numbers
         some hundred times faster.""")
-    page.words("""**First, split the position.** (A.1) is linear in {y}: an axis and a director, whose derivatives along the axis are marked by a
+    page.words("""**First, split the position.** (A.1) is linear in {y}: an axis and a director, whose
+        derivatives along the axis are marked by a
         prime.""", y=y)
     components = Y.r_components()
     axis = [at_axis(r) for r in components]
@@ -28,7 +31,8 @@ def write(page):
     r_0, d = Symbol(r"\mathbf r_0", column(axis)), Symbol(r"\mathbf d", column(director))
     r_0x, d_x = (Symbol(rf"{symbol.text}'", symbol.meaning.each(lambda f: f.derivative("x"))) for symbol in (r_0, d))
     page.formula(Y.r, r_0 + y * d, how="The left side is (A.1); on the right are its value on the axis and its derivative across.")
-    page.words("""**Second, stay in the rod's own axes**, as the energy does not depend on the frame (that is what E3 was about). The strains are then polynomials in
+    page.words("""**Second, stay in the rod's own axes**, as the energy does not depend on the frame (that is
+        what E3 was about). The strains are then polynomials in
         {y} whose coefficients live on the axis:""", y=y)
     own = Y.own_strain()
     # eps_11 = a_0 + a_1 y + a_2 y^2 and so on: read off the strain by its derivatives at y = 0.
@@ -54,8 +58,10 @@ def write(page):
                            + 2 * lam * c * (A * a_0 + second * a_2) + mu * (A * g_0**2 + second * g_1**2)),
         how="The left side is the energy (18), integrated over the volume.")
     page.words("""So five points along the axis remain of the fifteen, and six numbers at each.""")
-    page.words("""**Fourth, calculate with displacements.** A strain of a millionth, taken as a difference of squares near one, has lost six of sixteen digits. With the
-        initial directions {t} along the rod and {n} across it, and what the slopes have beyond them, {p} and {delta}, no one is subtracted from a number near
+    page.words("""**Fourth, calculate with displacements.** A strain of a millionth, taken as a difference of
+        squares near one, has lost six of sixteen digits. With the
+        initial directions {t} along the rod and {n} across it, and what the slopes have beyond them, {p} and
+        {delta}, no one is subtracted from a number near
         one:""", t=T, n=N, p=Symbol(r"\mathbf p", 0), delta=Symbol(r"\boldsymbol\delta", 0))
     p = Symbol(r"\mathbf p", r_0x.meaning - T.meaning)
     delta = Symbol(r"\boldsymbol\delta", d.meaning - N.meaning)

@@ -4,12 +4,12 @@ from functools import cache
 
 import sympy
 from flint import fmpq
-from sympy import cos, sin
 
 from .. import field
-from .algebra import (DOF, GEN, NAMES, NODAL, RING, Matrix, column, hessian, lift, normal, over_volume,
+from .algebra import (GEN, NODAL, RING, Matrix, column, hessian, lift, normal, over_volume,
                       replace, total)
-from .notation import PRODUCT, Function, Number, Power, Quotient, Symbol
+from .calculus import Function
+from .notation import PRODUCT, Symbol
 
 PLANE = range(2)
 HALF = fmpq(1, 2)
