@@ -12,8 +12,10 @@ EXERCISES = (
      What would a program lose
      without that?""",
      "cargo test --test properties linear_fields_are_reproduced",
-     """All linear ones: moved, turned, uniformly strained. Without them refining a mesh need not approach anything."""),
-    ("""How many Gauss points along the axis and across it does (21) need, and what if one is left out? Count degrees first.""",
+     """All linear ones: moved, turned, uniformly strained. Without them refining a mesh need not approach
+         anything."""),
+    ("""How many Gauss points along the axis and across it does (21) need, and what if one is left out? Count
+        degrees first.""",
      "python -m oracle proofs | grep Gauss && cargo test --test properties the_rule_is_exact_to_its_degree",
      """Five and three: degrees eight and four, M5."""),
     ("""A free rod of one metre in the direction (3, 4) is 200 K warmer than when it was made, at the
@@ -39,7 +41,8 @@ sed 's/"elements"/"poisson": "axis", "elements"/' out/nu.json > out/axis.json &&
      """81.6 %, the formula of M3 at 0.3; the program warns of it. The tip goes down by 0.773 m; with Poisson's
      terms on the axis alone
      the warning is gone, and it is 0.797 m."""),
-    ("""A rod at 45 degrees is pulled. How much of its stiffness does the printed energy (E3) leave? Use the second formula under (18).""",
+    ("""A rod at 45 degrees is pulled. How much of its stiffness does the printed energy (E3) leave? Use the
+        second formula under (18).""",
      "cargo test --test errata e3_printed_rod_at_45_degrees",
      """Two thirds: the compliance has the factor one and a half."""),
     ("""Someone says that the element of E2 is right, because the factor in front of the printed third matrix
@@ -49,7 +52,8 @@ sed 's/"elements"/"poisson": "axis", "elements"/' out/nu.json > out/axis.json &&
      """The undeformed one. Its force is a multiple of one vector that is not zero, whatever the inclination;
      no shear modulus but zero makes it
      vanish."""),
-    ("""What need not be computed for the pendulum without heat, and what for the heated one? Say which terms of (21) are gone, then ask.""",
+    ("""What need not be computed for the pendulum without heat, and what for the heated one? Say which terms
+        of (21) are gone, then ask.""",
      "ancf plan pendulum-flexible && ancf plan pendulum-2d",
      """Without heat the thermal terms; without Poisson's ratio the second matrix in both."""),
     ("""A point is held twice on the same line (E4, (23)). The motion is determined; why are the multipliers

@@ -69,7 +69,8 @@ def write(page):
         no inclination enters; the
                  right side is in global axes, with the strains (14) and the stresses (15).""")
     page.words("""A bar marks the three components of {eps}, the strains less heat.""", eps=eps)
-    page.words("""**E3, an error in the paper.** It prints the product of the two columns, which counts the shear once:""")
+    page.words("""**E3, an error in the paper.** It prints the product of the two columns, which counts the
+        shear once:""")
     page.formula(U_printed, half * Integral("V", eps.T * sigma), U - Integral("V", mu * bar_3**2),
                  how="The left side is summed strain by strain.")
     angle, own, constants, density = frame()
@@ -103,7 +104,8 @@ def write(page):
         energy.""")
     page.words("""A rod at 45 degrees loses a quarter of its stiffness in bending and a third in tension, one
         along an axis none. Rods of a
-        deployable structure are inclined. Everything in this project but what has *printed* in its name uses (18) as it stands here.""")
+        deployable structure are inclined. Everything in this project but what has *printed* in its name uses
+        (18) as it stands here.""")
 
     page.section("19", "Elastic forces", ["equations.force::Q_e"])
     page.words("""If the nodal coordinates change a little, the energy changes; its derivative is the force
@@ -168,7 +170,8 @@ def write(page):
     a, b, c = (Symbol(rf"\mathbf {name}", column([form.derivative(n) * 2 for n in NODAL]))
                for name, form in zip("abc", (eps_1.meaning, eps_2.meaning, eps_3.meaning)))
     page.formulas_of([(a, S_a1 * e), (b, S_b1 * e), (c, S_c1 * e)],
-                     how="The left sides are the derivatives of twice the strains that are found from the lengths of fibres.")
+                     how="""The left sides are the derivatives of twice the strains that are found from the
+        lengths of fibres.""")
     page.words("So the tangent is")
 
     def outer(p, q):
@@ -190,7 +193,8 @@ def square(symbol):
 
 
 def softening(angle, own, constants, density):
-    """A slender rod at nu = 0 with the printed shear and the right one: stiffness in bending, compliance in tension."""
+    """A slender rod at nu = 0 with the printed shear and the right one: stiffness in bending, compliance in
+        tension."""
     E_11, E_22, E_12 = own
     value = {constants[0]: 0}
 

@@ -49,7 +49,8 @@ def write(page):
         (across it). A volume
         integral is three integrals, and the sum of all volume elements is the volume:""", l=l, h=h, w=w)
     page.formula(Integral("V", Symbol("1", ONE)), l * h * w,
-                 how="The left side is the integral from zero to l along the element, over its height about the axis, times its width.")
+                 how="""The left side is the integral from zero to l along the element, over its height about
+        the axis, times its width.""")
 
     page.section("6", "Kinetic energy", ["equations.inertia::T_integral", "equations.inertia::T"])
     page.words("""Half the mass times the square of the velocity, summed over all points. With (5) the velocity
@@ -57,7 +58,8 @@ def write(page):
         does not depend on the place, which can be taken out of the integral on both sides; a matrix {M} is left.""",
                S=S, M=M)
     page.formula(T, node("1/2") * Integral("V", rho * r_dot.T * r_dot), node("1/2") * e_dot.T * M * e_dot, number="6",
-                 how="The left side is summed from the coefficients (A.3) and the integrals of products of the monomials of (A.1).")
+                 how="""The left side is summed from the coefficients (A.3) and the integrals of products of
+        the monomials of (A.1).""")
 
     page.section("7", "The mass matrix", ["equations.inertia::M"])
     page.formula(M, Integral("V", rho * S.T * S), number="7",
@@ -77,7 +79,8 @@ def write(page):
     sixth, middle = Quotient(g, node(6)), Quotient(2 * g, node(3))
     page.formula(Q_w, Integral("V", rho * S.T * g),
                  mass * Table([sixth], [zero], [middle], [zero], [zero], [sixth], [zero]),
-                 how="The left side is the derivative of the work, integrated from the polynomial.", blind=(r"2 \mathbf 0",))
+                 how="""The left side is the derivative of the work, integrated from the
+        polynomial.""", blind=(r"2 \mathbf 0",))
     page.words("""The ends carry a sixth of the weight each and the middle two thirds: Simpson's rule. The
         slopes carry nothing, as the
         weight of a straight section pulls at its middle.""")

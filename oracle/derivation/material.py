@@ -33,7 +33,8 @@ def elasticity():
 
 
 def constants():
-    """Lame's constants from a bar in three dimensions: pulled with the stress E it stretches by 1 and shrinks by nu."""
+    """Lame's constants from a bar in three dimensions: pulled with the stress E it stretches by 1 and shrinks
+        by nu."""
     first, second = sympy.symbols("first second")
     stretch, across = 1, -nu.meaning
     trace = stretch + 2 * across
@@ -67,13 +68,15 @@ def write(page):
                  the two shear components are the same number.""")
     page.words("""As a law of stress this is right: the last line says {shear} for the tensor's components. As
         the matrix of an energy it is
-        not, see (18). It is the matrix of plane strain: nothing moves across the plane ([M1](#m1-plane-strain-but-heat-in-the-plane-only)).""",
+        not, see (18). It is the matrix of plane strain: nothing moves across the plane
+        ([M1](#m1-plane-strain-but-heat-in-the-plane-only)).""",
                shear=Y.sigma_3)
 
     page.section("17", "Lamé's constants", ["equations.material::lambda", "equations.material::mu"])
     page.words("""Tables list Young's modulus {E} in Pa and Poisson's ratio {nu}: what a bar does that is
         pulled. It stretches by the
-        stress over {E}, and shrinks across by {nu} times that. Solving Hooke's law for these two facts:""", E=E, nu=nu)
+        stress over {E}, and shrinks across by {nu} times that. Solving Hooke's law for these two
+        facts:""", E=E, nu=nu)
     page.formulas_of([
         (lambda_of, Quotient(E * nu, (1 + nu) * (1 - 2 * nu))),
         (mu_of, Quotient(E, 2 * (1 + nu)))],

@@ -108,7 +108,8 @@ def write(page):
     M_, Q_e_, Q_w_ = numbers[M], numbers[Q_e], numbers[Q_w]
     page.words("""Lagrange's equations turn energies into motion: the rate of the momentum, less what the
         kinetic energy gains by position, plus what
-        the strain energy resists, less what the loads' work {W} gives. {T} does not depend on position here. For any state and any acceleration:""",
+        the strain energy resists, less what the loads' work {W} gives. {T} does not depend on position here.
+        For any state and any acceleration:""",
                W=Symbol("W", 0), T=Symbol("T", 0))
     momentum, none, elastic, loads = (Symbol(text, meaning, PRODUCT) for text, meaning in (
         (r"\frac{\mathrm d}{\mathrm dt} \frac{\partial T}{\partial \dot{\mathbf e}}", element.rate_of_momentum(v, a)),
@@ -117,7 +118,8 @@ def write(page):
         (r"\frac{\partial W}{\partial \mathbf e}", element.weight)))
     page.formula(
         momentum - none + elastic - loads, M_ * e_ddot + Q_e_ - Q_w_, blind=(f"2 {none.text}", f"sign of {(-none).tex()}"),
-        how="The left side is differentiated from the energies, along a motion; the right side holds the mass matrix and the force of virtual work.")
+        how="""The left side is differentiated from the energies, along a motion; the right side holds the mass
+        matrix and the force of virtual work.""")
     page.words("On a motion it is zero:")
     moving = solve(M_.meaning, element.weight - element.force)
     e_ddot = Symbol(r"\ddot{\mathbf e}", moving)
@@ -139,7 +141,8 @@ def write(page):
         {q}, and conditions {Phi}: a pin says that two
         points are one, a support that one stays. The Lagrangian gets the term {term} with multipliers {lam}
         (the paper's symbol, which
-        is also Lamé's constant: E5). Its derivative is the force that holds the pins, and that force does no work where the conditions are kept:""",
+        is also Lamé's constant: E5). Its derivative is the force that holds the pins, and that force does no
+        work where the conditions are kept:""",
                q=Symbol(r"\mathbf q", 0), Phi=Symbol(r"\boldsymbol\Phi(\mathbf q) = \mathbf 0", 0),
                term=Symbol(r"\boldsymbol\lambda^{\mathsf T} \boldsymbol\Phi", 0), lam=Symbol(r"\boldsymbol\lambda", 0))
     names = sympy.symbols("q_1:4")
@@ -152,7 +155,8 @@ def write(page):
     page.formulas_of([
         (Derivative(multipliers.T * Phi, r"\mathbf q", names).T, Phi_q.T * multipliers),
         (dq.T * Phi_q.T * multipliers, multipliers.T * Grouped(Phi_q * dq))],
-        how="The conditions are two arbitrary functions of three coordinates. The left side above is differentiated, below multiplied out.")
+        how="""The conditions are two arbitrary functions of three coordinates. The left side above is
+        differentiated, below multiplied out.""")
     page.words("""**E4, an error in the paper.** It prints {printed}, without the transpose. With fewer
         conditions than coordinates that product does not exist. With as
         many it is the wrong force. A point in the plane that is held twice on its first axis may still move

@@ -48,7 +48,8 @@ def write(page):
     page.heading("1 Position: from a polynomial to shape functions")
     page.words("""A beam element has to say where each of its material points is. It does so with few numbers:
         vectors at three
-        nodes, {i} at one end, {j} in the middle, {k} at the other end, between which the position is interpolated.""",
+        nodes, {i} at one end, {j} in the middle, {k} at the other end, between which the position is
+        interpolated.""",
                i=Symbol("i", 0), j=Symbol("j", 0), k=Symbol("k", 0))
     page.drawing("""
        y
@@ -109,7 +110,8 @@ def write(page):
         because their determinant is not zero for any length:""")
     page.formula(Determinant(Symbol(r"\frac{\partial (\mathbf r^i, \mathbf r_y^i, \dots, \mathbf r_y^k)}{\partial (a_0, \dots, a_6)}",
                                     Matrix(system.tolist()), PRODUCT)), Quotient(l**8, node(64)),
-                 how="The left side is the determinant of the derivatives of (A.2), taken of (A.1) with free coefficients.")
+                 how="""The left side is the determinant of the derivatives of (A.2), taken of (A.1) with free
+        coefficients.""")
 
     page.section("A.3", "The coefficients", ["equations.shape::coefficients", "equations.shape::coefficients_printed"])
     solution = [both(expression) for expression in field.coefficients()]
@@ -130,7 +132,8 @@ def write(page):
     printed = -Quotient(5 * r_i - 4 * r_j + r_k + 2 * l * r_x_j, l)
     page.formula(Named("printed", printed), solved(1) - Quotient(2 * r_k, l),
                  how="Both sides are computed; the first term on the right is the solution of (A.2).")
-    page.words("""With that coefficient the end of the element is not where its own node is, but at its mirror image:""")
+    page.words("""With that coefficient the end of the element is not where its own node is, but at its mirror
+        image:""")
     wrong = Symbol(r"\mathbf r_\text{printed}", both(field.polynomial(field.coefficients_printed())))
     page.formula(Where(wrong, l, 0), -r_k, how="The left side is (A.1) with the printed (A.3), at a place.")
 
@@ -167,8 +170,10 @@ def write(page):
         (S_1, 1 - 5 * a + 8 * a**2 - 4 * a**3), (S_2, l * b * (1 - 3 * a + 2 * a**2)), (S_3, 4 * a - 4 * a**2),
         (S_4, l * a * (-node(2) + 6 * a - 4 * a**2)), (S_5, l * b * (4 * a - 4 * a**2)),
         (S_6, a - 4 * a**2 + 4 * a**3), (S_7, l * b * (-a + 2 * a**2))],
-        number="3", how="The left sides are the derivatives of (A.1), with the solution of (A.2), by the nodal vectors.")
-    page.words("""Those of positions ({S_1}, {S_3}, {S_6}) are numbers, those of slopes lengths in m.""", S_1=S_1, S_3=S_3, S_6=S_6)
+        number="3", how="""The left sides are the derivatives of (A.1), with the solution of (A.2), by the
+        nodal vectors.""")
+    page.words("""Those of positions ({S_1}, {S_3}, {S_6}) are numbers, those of slopes lengths in
+        m.""", S_1=S_1, S_3=S_3, S_6=S_6)
 
     page.section("4", "The nodal coordinates", ["equations.shape::e", "equations.shape::nodes"])
     read = zip(*[field.nodal_values(component) for (component,) in SOLVED.rows])

@@ -25,13 +25,16 @@ def write(page):
     page.section("8", "Thermal strain", ["equations.strain::eps_T", "equations.strain::eps_T_1d"])
     page.words("""A free body heated by {dT} grows by the same fraction in every direction, at first order
         {heat}; its angles stay.
-        Strains are symmetric tensors with the components 11, 22 and 12, written as a column.""", dT=Symbol(r"\Delta T", 0), heat=heat)
+        Strains are symmetric tensors with the components 11, 22 and 12, written as a
+        column.""", dT=Symbol(r"\Delta T", 0), heat=heat)
     symbol = Symbol(eps_T.text, turned(GEN["heat"], GEN["heat"]))
     page.formula(symbol, Table([heat, heat, 0]).T, number="8",
-                 how="The left side is the tensor with this strain along the rod and across it, turned into global axes from any inclination.")
+                 how="""The left side is the tensor with this strain along the rod and across it, turned into
+        global axes from any inclination.""")
     page.words("""It is the same in every frame; that is why it can be written down without saying which. (The
         paper prints a row where a
-        column is meant, E5. The competitor that heats the axis only is [M7](#m7-one-dimensional-heat-has-a-direction).)""")
+        column is meant, E5. The competitor that heats the axis only is
+        [M7](#m7-one-dimensional-heat-has-a-direction).)""")
 
     page.section("", "The initial direction", ["equations.strain::J_0", "equations.strain::J_0_theta"])
     page.words("""The paper uses an angle {theta} without saying what it is (E5): the inclination of the
@@ -40,7 +43,8 @@ def write(page):
         gradient of the initial
         position by {x} and {y} is then a rotation:""", theta=theta, e_0=e_0, x=Y.x, y=Y.y)
     page.formula(J_0, Table([S_x * e_0, S_y * e_0]), Table([cosine(), -sine()], [sine(), cosine()]),
-                 how="The middle uses the shape functions and what (A.2) reads off a straight element that begins anywhere.")
+                 how="""The middle uses the shape functions and what (A.2) reads off a straight element that
+        begins anywhere.""")
 
     page.section("9", "Deformation gradient", ["equations.strain::J"])
     page.words("""How do neighbouring points move apart? A short fibre between two of them was {dr_0} and is
@@ -52,7 +56,8 @@ def write(page):
         by {x}. (The paper's symbol with one index is a function in (2) and a row here, E5.)""",
                dr_0=Symbol(r"\mathrm d\mathbf r_0", 0), dr=Symbol(r"\mathrm d\mathbf r", 0), x=Y.x, y=Y.y, S=Y.S, S_1x=row(1, "x"))
     page.formula(J, Table([row(1, "x") * e, row(1, "y") * e], [row(2, "x") * e, row(2, "y") * e]) * Inverse(J_0), number="9",
-                 how="The left side is differentiated by the initial position itself, of which the field is written as a function.")
+                 how="""The left side is differentiated by the initial position itself, of which the field is
+        written as a function.""")
 
     page.section("10", "The strain tensor", ["equations.strain::eps_m", "equations.strain::S_abc"])
     page.words("""Green and Lagrange measure by squares of lengths, because these are polynomials in the
@@ -63,7 +68,8 @@ def write(page):
     fibre_0 = Symbol(r"\mathrm d\mathbf r_0", column([GEN["g1"], GEN["g2"]]))
     moved = Symbol(r"\mathrm d\mathbf r", J.meaning @ fibre_0.meaning)
     page.formula(moved.T * moved - fibre_0.T * fibre_0, 2 * fibre_0.T * eps_m * fibre_0,
-                 how="The left side is computed from the gradient for any fibre; the strain from the lengths of four special ones.")
+                 how="""The left side is computed from the gradient for any fibre; the strain from the lengths
+        of four special ones.""")
     half = node("1/2")
     page.formula(eps_m, half * (J.T * J - I),
                  half * Table([e.T * S_a * e - 1, e.T * S_c * e], [e.T * S_c * e, e.T * S_b * e - 1]), number="10",
@@ -111,7 +117,8 @@ def write(page):
         number="13", how="The left sides are found from the lengths of fibres.")
 
     page.section("14", "The strain that makes stress", ["equations.strain::eps"])
-    page.words("""A body that has expanded freely is as long as it wants to be. What it resists is the deformation beyond that:""")
+    page.words("""A body that has expanded freely is as long as it wants to be. What it resists is the
+        deformation beyond that:""")
     page.formula(eps, eps_f - eps_T, number="14",
                  how="The left side is half the difference of the metric and that of the freely expanded body.")
     page.words("""The freely expanded body is the one whose squared lengths have grown by the factor {free}:
