@@ -61,16 +61,14 @@ def write(page):
     """The chapter."""
     page.heading("5 Energy and forces")
     page.section("18", "Strain energy", ["equations.force::U", "equations.force::U_printed"])
-    page.words("""Half of stress times strain, summed over all components and all points. The shear stress
-        works on two components, 12 and
-        21, which are equal; hence the 2:""")
+    page.words("""Half of stress times strain, summed over all components and all points. The shear stress works on
+        two components, 12 and 21, which are equal; hence the 2:""")
     page.formula(U, half * Integral("V", bar_1 * sigma_1 + bar_2 * sigma_2 + 2 * bar_3 * sigma_3), number="18",
-                 how="""The left side is the contraction over all four components in the rod's own axes, where
-        no inclination enters; the
-                 right side is in global axes, with the strains (14) and the stresses (15).""")
+                 how="""The left side is the contraction over all four components in the rod's own axes, where no
+        inclination enters; the right side is in global axes, with the strains (14) and the stresses (15).""")
     page.words("""A bar marks the three components of {eps}, the strains less heat.""", eps=eps)
-    page.words("""**E3, an error in the paper.** It prints the product of the two columns, which counts the
-        shear once:""")
+    page.words("""**E3, an error in the paper.** It prints the product of the two columns, which counts the shear
+        once:""")
     page.formula(U_printed, half * Integral("V", eps.T * sigma), U - Integral("V", mu * bar_3**2),
                  how="The left side is summed strain by strain.")
     angle, own, constants, density = frame()
@@ -78,11 +76,9 @@ def write(page):
     psi_printed = Symbol(r"\psi_\text{printed}", density(2))
     E_11, E_22, E_12 = (Symbol(f"E_{{{n}}}", symbol) for n, symbol in zip(("11", "22", "12"), own))
     second = Symbol(r"\mu", constants[1])
-    page.words("""This is no matter of taste, because a body's energy must not depend on who looks. Take one
-        strain, given in the rod's own
-        axes, and describe it from a frame turned by {theta}. With the 2, the density {psi} of the energy does
-        not change; without it, it does.
-        At the frame along the rod:""", theta=theta, psi=psi)
+    page.words("""This is no matter of taste, because a body's energy must not depend on who looks. Take one strain,
+        given in the rod's own axes, and describe it from a frame turned by {theta}. With the 2, the density {psi}
+        of the energy does not change; without it, it does. At the frame along the rod:""", theta=theta, psi=psi)
 
     def slope(symbol):
         return Derivative(symbol, theta.text, [angle])
@@ -93,39 +89,34 @@ def write(page):
                      how="The left sides are derivatives of the densities of a strain turned by the rotation matrix.")
     cos, sin = Symbol(r"\cos\theta", sympy.cos(angle)), Symbol(r"\sin\theta", sympy.sin(angle))
     bending, tension = softening(angle, own, constants, density)
-    page.words("""What it does to a slender rod whose {nu} is zero, beside the right one: its stiffness in
-        bending, and its compliance in
-        tension, get the factors""", nu=Symbol(r"\nu", 0))
+    page.words("""What it does to a slender rod whose {nu} is zero, beside the right one: its stiffness in bending,
+        and its compliance in tension, get the factors""", nu=Symbol(r"\nu", 0))
     page.formulas_of([
         (Quotient(*(Symbol(text, value) for text, value in zip((r"B_\text{printed}", "B"), bending))), 1 - square(sin) * square(cos)),
         (Quotient(*(Symbol(text, value) for text, value in zip((r"C_\text{printed}", "C"), tension))), 1 + 2 * square(sin) * square(cos))],
-        how="""Bending: the density of an axial strain alone. Tension: the axial strain is given and the other
-        two take the values of least
-        energy.""")
-    page.words("""A rod at 45 degrees loses a quarter of its stiffness in bending and a third in tension, one
-        along an axis none. Rods of a
-        deployable structure are inclined. Everything in this project but what has *printed* in its name uses
-        (18) as it stands here.""")
+        how="""Bending: the density of an axial strain alone. Tension: the axial strain is given and the other two
+        take the values of least energy.""")
+    page.words("""A rod at 45 degrees loses a quarter of its stiffness in bending and a third in tension, one along
+        an axis none. Rods of a deployable structure are inclined. Everything in this project but what has *printed*
+        in its name uses (18) as it stands here.""")
 
     page.section("19", "Elastic forces", ["equations.force::Q_e"])
-    page.words("""If the nodal coordinates change a little, the energy changes; its derivative is the force
-        against that change. The strains are
-        quadratic in {e}, so the derivative is {e} times a matrix, which depends on {e} again:""", e=e)
+    page.words("""If the nodal coordinates change a little, the energy changes; its derivative is the force against
+        that change. The strains are quadratic in {e}, so the derivative is {e} times a matrix, which depends on {e}
+        again:""", e=e)
     page.formula(Q_e.T, Derivative(U, r"\mathbf e", NODAL), e.T * K, number="19",
-                 how="""The left side is the work of the first Piola-Kirchhoff stress on the rates of the
-        gradient, the principle of
-                 virtual work; no energy is differentiated for it.""")
-    page.words("""No force acts where nothing is strained, and forces inside a body have no resultant: moving
-        all positions along {d} does no
-        work.""", d=Symbol(r"\mathbf d", 0))
+                 how="""The left side is the work of the first Piola-Kirchhoff stress on the rates of the gradient,
+        the principle of virtual work; no energy is differentiated for it.""")
+    page.words("""No force acts where nothing is strained, and forces inside a body have no resultant: moving all
+        positions along {d} does no work.""", d=Symbol(r"\mathbf d", 0))
     page.formula(Symbol(r"\mathbf d", column([int(k in (0, 4, 10)) for k in range(14)])).T * Q_e, node(0),
                  how="The force is that of virtual work.", blind=(r"2 \mathbf d", r"2 \mathbf Q_e"))
 
     page.section("20", "The stiffness matrix", ["equations.force::K", "equations.force::K_printed"])
     page.formula(K, (lam + 2 * mu) * K_1 + lam * K_2 + 4 * mu * K_3, number="20",
-                 how="""The left side is the integral of each stress times the second derivatives of its
-        strain, the shear counted twice; the
-                 matrices on the right are the same integrals for the three parts of the energy alone.""")
+                 how="""The left side is the integral of each stress times the second derivatives of its strain, the
+        shear counted twice; the matrices on the right are the same integrals for the three parts of the energy
+        alone.""")
     page.words("""The paper prints a 2 in the place of the 4: E3 once more.""")
 
     page.section("21", "Its parts", ["equations.force::S_1", "equations.force::K_1", "equations.force::K_2",
@@ -141,11 +132,9 @@ def write(page):
         (K_2, quarter * Integral("V", S_a1 * (b_ - 1 - 2 * heat) + S_b1 * (a_ - 1 - 2 * heat))),
         (K_3, quarter * Integral("V", S_c1 * Grouped(c_)))],
         number="21", how="The left sides are integrals of the strains (14) and of second derivatives.")
-    page.words("""**E2, an error in the paper.** It prints a 1 taken off in the last line too, as if the shear
-        had the 1 of the normal strains. The
-        force of that term on the element that nobody has touched, cold and at rest, does work in the shear
-        {shear} of unit size; the right one
-        does none:""", shear=SHEAR)
+    page.words("""**E2, an error in the paper.** It prints a 1 taken off in the last line too, as if the shear had
+        the 1 of the normal strains. The force of that term on the element that nobody has touched, cold and at
+        rest, does work in the shear {shear} of unit size; the right one does none:""", shear=SHEAR)
     K_3_printed = Symbol(r"\mathbf K_{3,\text{printed}}", weighted((None, None, EPS[2] - HALF)))
     cold_e0 = {"heat": Y.ZERO, **{name: entry for name, (entry,) in zip(NODAL, e_0.meaning.rows)}}
     K_3_rest = Symbol(r"\mathbf K_3(\mathbf e_0)", K_3.meaning.each(lambda entry: normal(replace(entry, **cold_e0))))
@@ -156,22 +145,20 @@ def write(page):
         (SHEAR.T * K_3_rest_printed * e_0, -(half * Y.l * Y.h * Y.w)),
         (SHEAR.T * K_3_rest * e_0, node(0))],
         how="""The first left side is summed from strains; the others are products of matrices at the nodal
-        coordinates of the straight element
-        at any inclination.""", blind=(r"2 \mathbf s", r"2 \mathbf e_0", r"2 \mathbf K_3(\mathbf e_0)"))
+        coordinates of the straight element at any inclination.""", blind=(r"2 \mathbf s", r"2 \mathbf e_0", r"2 \mathbf K_3(\mathbf e_0)"))
     page.words("""With it an element lying on a table would start to shear by itself.""")
-    page.words("""With heat along the axis only ([M7](#m7-one-dimensional-heat-has-a-direction)) each bracket
-        of (21) loses twice its own component of the thermal strain, the
-        third one too.""")
+    page.words("""With heat along the axis only ([M7](#m7-one-dimensional-heat-has-a-direction)) each bracket of
+        (21) loses twice its own component of the thermal strain, the third one too.""")
 
     page.section("", "The tangent", ["equations.force::tangent"])
-    page.words("""Newton's iteration needs to know how the forces change with {e}; the paper leaves it out. By
-        the product rule: {K} once, and once the
-        derivative of what is in the brackets of (21). These are twice the strains, with the derivatives""", e=e, K=K)
+    page.words("""Newton's iteration needs to know how the forces change with {e}; the paper leaves it out. By the
+        product rule: {K} once, and once the derivative of what is in the brackets of (21). These are twice the
+        strains, with the derivatives""", e=e, K=K)
     a, b, c = (Symbol(rf"\mathbf {name}", column([form.derivative(n) * 2 for n in NODAL]))
                for name, form in zip("abc", (eps_1.meaning, eps_2.meaning, eps_3.meaning)))
     page.formulas_of([(a, S_a1 * e), (b, S_b1 * e), (c, S_c1 * e)],
-                     how="""The left sides are the derivatives of twice the strains that are found from the
-        lengths of fibres.""")
+                     how="""The left sides are the derivatives of twice the strains that are found from the lengths
+        of fibres.""")
     page.words("So the tangent is")
 
     def outer(p, q):
@@ -181,9 +168,8 @@ def write(page):
                  K + quarter * Integral("V", (lam + 2 * mu) * (outer(a, a) + outer(b, b)) + lam * (outer(a, b) + outer(b, a))
                                         + 4 * mu * outer(c, c)),
                  how="The left side holds the derivatives of the force of virtual work.")
-    page.words("""{K} holds the stresses and is called the geometric part, the integral holds the elasticity,
-        the material part. Both are symmetric, as
-        second derivatives are.""", K=K)
+    page.words("""{K} holds the stresses and is called the geometric part, the integral holds the elasticity, the
+        material part. Both are symmetric, as second derivatives are.""", K=K)
 
 
 def square(symbol):

@@ -36,34 +36,28 @@ ROWS = (
 def write(page, formulas, changes, none):
     """The front matter, with the numbers of what was checked."""
     page.heading("The derivation that runs", 1)
-    page.words("""From the polynomial (A.1) to the motion of pinned rods (23): the planar thermo-elastic beam
-        of Peng, Wang, Li, Zhi and Li
-        ([doi 10.1155/2018/1752815](https://doi.org/10.1155/2018/1752815)), equation by equation in the paper's
-        numbers, with what the paper leaves
-        out and what it prints wrong. It asks for linear algebra and calculus of several variables, and no figures of the paper.""")
+    page.words("""From the polynomial (A.1) to the motion of pinned rods (23): the planar thermo-elastic beam of
+        Peng, Wang, Li, Zhi and Li ([doi 10.1155/2018/1752815](https://doi.org/10.1155/2018/1752815)), equation by
+        equation in the paper's numbers, with what the paper leaves out and what it prints wrong. It asks for linear
+        algebra and calculus of several variables, and no figures of the paper.""")
     page.words("""**Made by a program, not typed.** `python -m oracle derivation` ([source](derivation)) builds
-        every displayed formula as a tree, writes it from
-        the tree, computes it from the same tree, and asserts that it is equal to its left side, which is found
-        another way: by solving, differentiating
-        or integrating what comes before. The line under each formula says how. An assertion that fails ends
-        the program, and no page is made;
-        `python -m oracle derivation --check` fails when this page is not what the program makes.""")
-    page.words(f"""**And can it fail?** The program then makes small mistakes in every formula, one at a time:
-        a sign turned, a symbol doubled, a number raised by
-        one, a transpose or an inverse dropped, a sine in the place of a cosine. Of {changes} mistakes in
-        {formulas} formulas all were noticed but {none}, which are
-        none: they double a zero or transpose what is symmetric, and are declared as such in the source.""")
+        every displayed formula as a tree, writes it from the tree, computes it from the same tree, and asserts that
+        it is equal to its left side, which is found another way: by solving, differentiating or integrating what
+        comes before. The line under each formula says how. An assertion that fails ends the program, and no page is
+        made; `python -m oracle derivation --check` fails when this page is not what the program makes.""")
+    page.words(f"""**And can it fail?** The program then makes small mistakes in every formula, one at a time: a
+        sign turned, a symbol doubled, a number raised by one, a transpose or an inverse dropped, a sine in the
+        place of a cosine. Of {changes} mistakes in {formulas} formulas all were noticed but {none}, which are none:
+        they double a zero or transpose what is symmetric, and are declared as such in the source.""")
     page.words("""In the text formulas are names only. Chapters:
         [position](#1-position-from-a-polynomial-to-shape-functions),
         [inertia](#2-inertia-a-mass-matrix-that-never-changes), [strain](#3-strain-what-deformation-is),
-        [stress](#4-stress-hookes-law-for-large-motions),
-        [energy and forces](#5-energy-and-forces), [motion](#6-motion), [choices](#7-choices-to-know),
-        [speed](#8-for-speed-the-section-by-hand),
+        [stress](#4-stress-hookes-law-for-large-motions), [energy and forces](#5-energy-and-forces),
+        [motion](#6-motion), [choices](#7-choices-to-know), [speed](#8-for-speed-the-section-by-hand),
         [exercises](#9-exercises). Errors in the paper: [E1](#a3-the-coefficients), [E2](#21-its-parts),
-        [E3](#18-strain-energy),
-        [E4](#23-elements-held-together).""")
+        [E3](#18-strain-energy), [E4](#23-elements-held-together).""")
     page.heading("Symbols and units")
     page.words("""Bold small letters are columns, bold capitals matrices; a raised T is a transpose, a dot a
-        derivative by time. SI units; where
-        nodal coordinates mix positions and slopes, the unit for positions, then for slopes.""")
+        derivative by time. SI units; where nodal coordinates mix positions and slopes, the unit for positions, then
+        for slopes.""")
     page.table(("symbol", "what it is", "unit"), [(f"{name(text)}", what, unit) for text, what, unit in ROWS])

@@ -51,31 +51,26 @@ D = Symbol(r"\mathbf D", elasticity())
 def write(page):
     """The chapter."""
     page.heading("4 Stress: Hooke's law for large motions")
-    page.words("""The law of St Venant and Kirchhoff is Hooke's, with the strain (14) in the place of the small
-        one. Its stress is the
-        second of Piola and Kirchhoff: it knows nothing of the rotation, as the strain does not.""")
+    page.words("""The law of St Venant and Kirchhoff is Hooke's, with the strain (14) in the place of the small one.
+        Its stress is the second of Piola and Kirchhoff: it knows nothing of the rotation, as the strain does not.""")
 
     page.section("15", "Stress from strain", ["equations.material::sigma"])
     page.formula(sigma, D * eps, number="15",
-                 how="""The left side is Hooke's law of an isotropic body for the tensor, the first constant of
-        Lamé times its trace and twice
-                 the second times itself.""")
+                 how="""The left side is Hooke's law of an isotropic body for the tensor, the first constant of Lamé
+        times its trace and twice the second times itself.""")
 
     page.section("16", "The elasticity matrix", ["equations.material::D"])
     page.formula(D, Table([lam + 2 * mu, lam, 0], [lam, lam + 2 * mu, 0], [0, 0, 2 * mu]), number="16",
-                 how="""The left side is the derivative of the energy density by the tensor's four components,
-        each taken for itself; then
-                 the two shear components are the same number.""")
-    page.words("""As a law of stress this is right: the last line says {shear} for the tensor's components. As
-        the matrix of an energy it is
-        not, see (18). It is the matrix of plane strain: nothing moves across the plane
+                 how="""The left side is the derivative of the energy density by the tensor's four components, each
+        taken for itself; then the two shear components are the same number.""")
+    page.words("""As a law of stress this is right: the last line says {shear} for the tensor's components. As the
+        matrix of an energy it is not, see (18). It is the matrix of plane strain: nothing moves across the plane
         ([M1](#m1-plane-strain-but-heat-in-the-plane-only)).""",
                shear=Y.sigma_3)
 
     page.section("17", "Lamé's constants", ["equations.material::lambda", "equations.material::mu"])
-    page.words("""Tables list Young's modulus {E} in Pa and Poisson's ratio {nu}: what a bar does that is
-        pulled. It stretches by the
-        stress over {E}, and shrinks across by {nu} times that. Solving Hooke's law for these two
+    page.words("""Tables list Young's modulus {E} in Pa and Poisson's ratio {nu}: what a bar does that is pulled. It
+        stretches by the stress over {E}, and shrinks across by {nu} times that. Solving Hooke's law for these two
         facts:""", E=E, nu=nu)
     page.formulas_of([
         (lambda_of, Quotient(E * nu, (1 + nu) * (1 - 2 * nu))),

@@ -106,10 +106,9 @@ def write(page):
     e_ddot = Symbol(r"\ddot{\mathbf e}", column(a))
     numbers = {symbol: Symbol(symbol.text, element.of(symbol.meaning)) for symbol in (M, Q_e, Q_w)}
     M_, Q_e_, Q_w_ = numbers[M], numbers[Q_e], numbers[Q_w]
-    page.words("""Lagrange's equations turn energies into motion: the rate of the momentum, less what the
-        kinetic energy gains by position, plus what
-        the strain energy resists, less what the loads' work {W} gives. {T} does not depend on position here.
-        For any state and any acceleration:""",
+    page.words("""Lagrange's equations turn energies into motion: the rate of the momentum, less what the kinetic
+        energy gains by position, plus what the strain energy resists, less what the loads' work {W} gives. {T} does
+        not depend on position here. For any state and any acceleration:""",
                W=Symbol("W", 0), T=Symbol("T", 0))
     momentum, none, elastic, loads = (Symbol(text, meaning, PRODUCT) for text, meaning in (
         (r"\frac{\mathrm d}{\mathrm dt} \frac{\partial T}{\partial \dot{\mathbf e}}", element.rate_of_momentum(v, a)),
@@ -125,9 +124,8 @@ def write(page):
     e_ddot = Symbol(r"\ddot{\mathbf e}", moving)
     page.formula(M_ * e_ddot + Symbol(r"\mathbf Q_e(\Delta T)", Q_e_.meaning), Q_w_, number="22",
                  how="The acceleration solves the equations above, with the derivatives of the energies.")
-    page.words("""Multiply by the velocity, and the power of the loads is what the energies gain. So a program
-        can watch the sum of its energies; but a kept
-        sum is no evidence of accuracy.""")
+    page.words("""Multiply by the velocity, and the power of the loads is what the energies gain. So a program can
+        watch the sum of its energies; but a kept sum is no evidence of accuracy.""")
     e_dot = Symbol(r"\dot{\mathbf e}", column(v))
     T_dot = Symbol(r"\dot T", dot(element.gradient(KINETIC, v), moving))
     U_dot = Symbol(r"\dot U", dot(element.force, e_dot.meaning))
@@ -137,12 +135,10 @@ def write(page):
     page.section("23", "Elements held together",
                  ["equations.motion::system_residual", "equations.motion::system_acceleration",
                   "equations.motion::constraint_force", "equations.motion::constraint_force_printed"])
-    page.words("""A structure is several elements, whose nodal coordinates stand below each other in one column
-        {q}, and conditions {Phi}: a pin says that two
-        points are one, a support that one stays. The Lagrangian gets the term {term} with multipliers {lam}
-        (the paper's symbol, which
-        is also Lamé's constant: E5). Its derivative is the force that holds the pins, and that force does no
-        work where the conditions are kept:""",
+    page.words("""A structure is several elements, whose nodal coordinates stand below each other in one column {q},
+        and conditions {Phi}: a pin says that two points are one, a support that one stays. The Lagrangian gets the
+        term {term} with multipliers {lam} (the paper's symbol, which is also Lamé's constant: E5). Its derivative
+        is the force that holds the pins, and that force does no work where the conditions are kept:""",
                q=Symbol(r"\mathbf q", 0), Phi=Symbol(r"\boldsymbol\Phi(\mathbf q) = \mathbf 0", 0),
                term=Symbol(r"\boldsymbol\lambda^{\mathsf T} \boldsymbol\Phi", 0), lam=Symbol(r"\boldsymbol\lambda", 0))
     names = sympy.symbols("q_1:4")
@@ -157,10 +153,9 @@ def write(page):
         (dq.T * Phi_q.T * multipliers, multipliers.T * Grouped(Phi_q * dq))],
         how="""The conditions are two arbitrary functions of three coordinates. The left side above is
         differentiated, below multiplied out.""")
-    page.words("""**E4, an error in the paper.** It prints {printed}, without the transpose. With fewer
-        conditions than coordinates that product does not exist. With as
-        many it is the wrong force. A point in the plane that is held twice on its first axis may still move
-        along it; the right force does not act in this direction, the
+    page.words("""**E4, an error in the paper.** It prints {printed}, without the transpose. With fewer conditions
+        than coordinates that product does not exist. With as many it is the wrong force. A point in the plane that
+        is held twice on its first axis may still move along it; the right force does not act in this direction, the
         printed one does:""", printed=without_meaning(Phi_q * multipliers))
     twice = Symbol(r"\boldsymbol\Phi_q", Matrix([[0, 1], [0, 1]]))
     along = Table([1], [0])
@@ -185,14 +180,11 @@ def write(page):
         (m * q_ddot + forces + rows.T * lam, f),
         (rows * q_ddot, Symbol(r"\mathbf 0", column([fmpq(0)] * 4)))],
         number="23", blind=(r"2 \boldsymbol\Phi_q", r"2 \ddot{\mathbf q}"),
-        how="""The acceleration is found without multipliers, by Lagrange's equations in the 24 coordinates
-        that the pins leave free; the multipliers
-        from the momentum of the second element and of both.""")
+        how="""The acceleration is found without multipliers, by Lagrange's equations in the 24 coordinates that the
+        pins leave free; the multipliers from the momentum of the second element and of both.""")
     page.words("""{kq} is the elements' forces (19), one below the other. The last line is the conditions
-        differentiated twice by time; together with the second it gives
-        accelerations and multipliers by one system of linear equations. A multiplier is the force with which
-        the first named body is held
-        back by the pin.""", kq=forces)
+        differentiated twice by time; together with the second it gives accelerations and multipliers by one system
+        of linear equations. A multiplier is the force with which the first named body is held back by the pin.""", kq=forces)
 
 
 def dot(a, b):

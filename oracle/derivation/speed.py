@@ -19,22 +19,19 @@ def write(page):
     """The chapter."""
     page.heading("8 For speed: the section by hand")
     page.rust("kernel.ancf::Ancf")
-    page.words("""Fifteen Gauss points with matrices of 14 rows are the formulas as they read, not how a
-        program should run. Four steps make the same numbers
-        some hundred times faster.""")
-    page.words("""**First, split the position.** (A.1) is linear in {y}: an axis and a director, whose
-        derivatives along the axis are marked by a
-        prime.""", y=y)
+    page.words("""Fifteen Gauss points with matrices of 14 rows are the formulas as they read, not how a program
+        should run. Four steps make the same numbers some hundred times faster.""")
+    page.words("""**First, split the position.** (A.1) is linear in {y}: an axis and a director, whose derivatives
+        along the axis are marked by a prime.""", y=y)
     components = Y.r_components()
     axis = [at_axis(r) for r in components]
     director = [r.derivative("y") for r in components]
     r_0, d = Symbol(r"\mathbf r_0", column(axis)), Symbol(r"\mathbf d", column(director))
     r_0x, d_x = (Symbol(rf"{symbol.text}'", symbol.meaning.each(lambda f: f.derivative("x"))) for symbol in (r_0, d))
-    page.formula(Y.r, r_0 + y * d, how="""The left side is (A.1); on the right are its value on the axis and
-        its derivative across.""")
-    page.words("""**Second, stay in the rod's own axes**, as the energy does not depend on the frame (that is
-        what E3 was about). The strains are then polynomials in
-        {y} whose coefficients live on the axis:""", y=y)
+    page.formula(Y.r, r_0 + y * d, how="""The left side is (A.1); on the right are its value on the axis and its
+        derivative across.""")
+    page.words("""**Second, stay in the rod's own axes**, as the energy does not depend on the frame (that is what
+        E3 was about). The strains are then polynomials in {y} whose coefficients live on the axis:""", y=y)
     own = Y.own_strain()
     # eps_11 = a_0 + a_1 y + a_2 y^2 and so on: read off the strain by its derivatives at y = 0.
     a_0, a_1, a_2 = (Symbol(f"a_{k}", coefficient(own[0, 0], k)) for k in range(3))
@@ -43,14 +40,14 @@ def write(page):
     e_11, e_22, e_12 = (Symbol(rf"\bar\varepsilon_{{{n}}}", own[place]) for n, place in
                         (("tt", (0, 0)), ("nn", (1, 1)), ("tn", (0, 1))))
     page.formulas_of([(e_11, a_0 + a_1 * y + a_2 * y**2), (e_22, c), (2 * e_12, g_0 + g_1 * y)],
-                     how="""The left sides are products of slopes; the coefficients on the right derivatives of
-        them on the axis.""")
+                     how="""The left sides are products of slopes; the coefficients on the right derivatives of them
+        on the axis.""")
     page.formulas_of([
         (a_0, half * (r_0x.T * r_0x - 1) - heat), (a_1, r_0x.T * d_x), (a_2, half * d_x.T * d_x),
         (c, half * (d.T * d - 1) - heat), (g_0, r_0x.T * d), (g_1, d.T * d_x)],
         how="The left sides are derivatives of the strains on the axis.")
-    page.words("""**Third, integrate across by hand.** Only three numbers of the section are needed, its area,
-        its second moment and its fourth:""")
+    page.words("""**Third, integrate across by hand.** Only three numbers of the section are needed, its area, its
+        second moment and its fourth:""")
     one = Symbol("1", Y.ONE)
     A, second, fourth = (Symbol(text, moment(k)) for text, k in (("A", 0), ("I", 2), ("I_4", 4)))
     page.formulas_of([(A, Integral("A", one), w * h), (second, Integral("A", y**2), Quotient(w * h**3, node(12))),
@@ -62,9 +59,8 @@ def write(page):
         how="The left side is the energy (18), integrated over the volume.")
     page.words("""So five points along the axis remain of the fifteen, and six numbers at each.""")
     page.words("""**Fourth, calculate with displacements.** A strain of a millionth, taken as a difference of
-        squares near one, has lost six of sixteen digits. With the
-        initial directions {t} along the rod and {n} across it, and what the slopes have beyond them, {p} and
-        {delta}, no one is subtracted from a number near
+        squares near one, has lost six of sixteen digits. With the initial directions {t} along the rod and {n}
+        across it, and what the slopes have beyond them, {p} and {delta}, no one is subtracted from a number near
         one:""", t=T, n=N, p=Symbol(r"\mathbf p", 0), delta=Symbol(r"\boldsymbol\delta", 0))
     p = Symbol(r"\mathbf p", r_0x.meaning - T.meaning)
     delta = Symbol(r"\boldsymbol\delta", d.meaning - N.meaning)
