@@ -76,7 +76,8 @@ sed 's/"elements"/"poisson": "axis", "elements"/' out/nu.json > out/axis.json &&
      "python -m oracle derivation --check",
      """The assertion that belongs to it ends the program and prints both sides. Every small change that is not
      noticed is declared in the
-     source beside its formula: it doubles a zero, or transposes what is symmetric."""),
+     source beside its formula: it scales what is
+     zero, transposes what is symmetric, or moves where nothing varies."""),
 )
 
 

@@ -48,7 +48,7 @@ def write(page, formulas, changes, none):
     page.words(f"""**And can it fail?** The program then makes small mistakes in every formula, one at a time: a
         sign turned, a symbol doubled, a number raised by one, a transpose or an inverse dropped, a sine in the
         place of a cosine. Of {changes} mistakes in {formulas} formulas all were noticed but {none}, which are none:
-        they double a zero or transpose what is symmetric, and are declared as such in the source.""")
+        they scale what is zero, transpose what is symmetric, or move where nothing varies, and are declared as such in the source.""")
     page.words("""In the text formulas are names only. Chapters:
         [position](#1-position-from-a-polynomial-to-shape-functions),
         [inertia](#2-inertia-a-mass-matrix-that-never-changes), [strain](#3-strain-what-deformation-is),
