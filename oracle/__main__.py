@@ -1,4 +1,4 @@
-"""`python -m oracle [FIXTURE|proofs] [--check]`: prove, then write or compare the fixtures, or one."""
+"""`python -m oracle [FIXTURE|derivation|proofs] [--check]`: prove, then write or compare fixtures and derivation, or one."""
 
 import argparse
 import sys
@@ -10,6 +10,8 @@ from . import fixture
 from .proofs import PROOFS
 
 FIXTURES = ("equations", "cable", "pendulum", "structure", "continuum", "references")
+# A page for people, asserted as it is made.
+PAGES = ("derivation",)
 # Needs a program that few have: derived when named, otherwise checked as far as its `check` goes.
 WITNESSES = ("calculix",)
 SHOWN = 10
@@ -32,7 +34,9 @@ def derive(name, partly):
 
 
 def compare(module, fresh):
-    """Where the stored fixture differs from the derived one, as lines that name file and place."""
+    """Where what is stored differs from what is derived, as lines that name file and place."""
+    if hasattr(module, "faults"):
+        return module.faults(fresh)
     try:
         stored = fixture.read(module.FILE)
         seal = stored.pop("sha256", None)
@@ -45,12 +49,12 @@ def compare(module, fresh):
 
 
 def main():
-    """The command line; exit code 1 when a stored fixture differs from the derived one."""
+    """The command line; exit code 1 when what is stored differs from what is derived."""
     parser = argparse.ArgumentParser(prog="python -m oracle", description=__doc__)
-    parser.add_argument("only", nargs="?", choices=(*FIXTURES, *WITNESSES, "proofs"), help="everything without it")
+    parser.add_argument("only", nargs="?", choices=(*FIXTURES, *PAGES, *WITNESSES, "proofs"), help="everything without it")
     parser.add_argument("--check", action="store_true", help="compare, write nothing")
     arguments = parser.parse_args()
-    names = {None: FIXTURES + WITNESSES * arguments.check, "proofs": ()}.get(arguments.only, (arguments.only,))
+    names = {None: FIXTURES + PAGES + WITNESSES * arguments.check, "proofs": ()}.get(arguments.only, (arguments.only,))
     faults = []
     with ProcessPoolExecutor(max_workers=2) as pool:
         # Deriving starts at once, on its own cores; nothing is written before the proofs hold.
@@ -66,8 +70,10 @@ def main():
                 verb = "differs" if found else "agrees"
                 note = ", as far as a check derives it" if partly and hasattr(module, "check") else ""
             else:
-                verb, note = "written", f", {fixture.write(module.FILE, fresh)} bytes"
-            print(f"{verb:8} {seconds:6.1f} s  fixtures/{module.FILE}{note}", flush=True)
+                size = module.write(fresh) if name in PAGES else fixture.write(module.FILE, fresh)
+                verb, note = "written", f", {size} bytes"
+            place = module.NAME if name in PAGES else f"fixtures/{module.FILE}"
+            print(f"{verb:8} {seconds:6.1f} s  {place}{note}", flush=True)
     for fault in faults[:SHOWN]:
         print(fault, file=sys.stderr)
     if len(faults) > SHOWN:

@@ -2,7 +2,7 @@
 //!
 //! Where a section bends, the strain along the rod is linear in y and Poisson's effect wants ε₂₂ to be so too. A section
 //! that is r₀ + y r_y, with one r_y for all y, cannot follow: the element of the paper resists and gives (1 − 2ν)/(1 − ν)² of a
-//! slender beam's deflection (M3). The cure, that of the references \[22–24\] of the paper: the section works with
+//! slender beam's deflection (M3, `oracle/DERIVATION.md#m3-free-of-locking-only-without-poissons-ratio`). The cure, that of the references \[22–24\] of the paper: the section works with
 //! D₀ = diag(E*, E*, μ), E* = E/(1 − ν²), which couples nothing, and what D has beyond D₀ acts on the axis y = 0:
 //!
 //! U = ½ ∫_V εᵀ D₀ ε dV + ½ hw ∫ ε(x, 0)ᵀ (D − D₀) ε(x, 0) dx.

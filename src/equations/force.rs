@@ -1,4 +1,7 @@
 //! Equations (18)–(21): strain energy, elastic forces, stiffness; and the tangent ∂Q_e/∂e, which the paper leaves out.
+//!
+//! Derived step by step: `oracle/DERIVATION.md#5-energy-and-forces`, there (18) and E3 `#18-strain-energy`,
+//! (19) `#19-elastic-forces`, (20) `#20-the-stiffness-matrix`, (21) and E2 `#21-its-parts`, ∂Q_e/∂e `#the-tangent`.
 
 use super::material::{D, sigma};
 use super::shape::Vector14;

@@ -1,4 +1,7 @@
 //! Equations (6)–(7): kinetic energy and the constant mass matrix; the generalized force of gravity.
+//!
+//! Derived step by step: `oracle/DERIVATION.md#2-inertia-a-mass-matrix-that-never-changes`, there (6) `#6-kinetic-energy`,
+//! (7) `#7-the-mass-matrix`, gravity `#the-weight`.
 
 use super::force::{Element, Matrix14};
 use super::shape::{S, Vector14, r_dot};

@@ -1,4 +1,7 @@
 //! Equations (15)–(17): St Venant–Kirchhoff's law in the plane.
+//!
+//! Derived step by step: `oracle/DERIVATION.md#4-stress-hookes-law-for-large-motions`, there (15) `#15-stress-from-strain`,
+//! (16) `#16-the-elasticity-matrix`, (17) `#17-lamés-constants`.
 
 use nalgebra::{Matrix3, Vector3};
 

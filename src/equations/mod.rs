@@ -2,6 +2,9 @@
 //! and symbols: [`shape`] (1)–(5), [`inertia`] (6)–(7), [`strain`] (8)–(14), [`material`] (15)–(17), [`force`]
 //! (18)–(21), [`motion`] (22)–(23). Beyond them: [`axis`], a cure of locking, and [`cable`], the paper's competitor.
 //!
+//! `oracle/DERIVATION.md` derives them step by step, with every formula asserted; each module names its sections there, and the
+//! choices M1–M8 are in `#7-choices-to-know`.
+//!
 //! Pure functions of numbers and arrays in SI units, global axes, for reading and checking;
 //! [`kernel`](crate::kernel) is the same element arranged for speed.
 //!

@@ -1,6 +1,9 @@
 //! Equation (22), the motion of one element, and (23), that of elements held together by constraints.
 //!
 //! (22) has arrays of fixed size, (23) vectors of the structure's n coordinates q and its c constraints Φ(q) = 0.
+//!
+//! Derived step by step: `oracle/DERIVATION.md#6-motion`, there (22) `#22-one-element`, (23) and E4
+//! `#23-elements-held-together`.
 
 use super::force::Matrix14;
 use super::shape::Vector14;

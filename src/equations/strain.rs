@@ -1,4 +1,8 @@
 //! Equations (8)–(14): thermal strain, deformation gradient, Green–Lagrange strain, all in global axes.
+//!
+//! Derived step by step: `oracle/DERIVATION.md#3-strain-what-deformation-is`, there (8) `#8-thermal-strain`, θ
+//! `#the-initial-direction`, (9) `#9-deformation-gradient`, (10) `#10-the-strain-tensor`, (11) `#11-the-metrics-matrices`,
+//! (12) `#12-strain-as-a-column`, (13) `#13-the-three-strains`, (14) `#14-the-strain-that-makes-stress`.
 
 use super::force::{Element, Matrix14};
 use super::shape::{Matrix2x14, S_x, S_y, Vector14};

@@ -5,6 +5,7 @@
 //! products of two strains or of a strain with S_a1, are of degree 8 in x and 4 in y. Gauss's rule with n points is
 //! exact to degree 2n − 1: **five points along x and three across y** integrate them exactly. The integrands of (6)
 //! and (7) are of degree 6 in x and 2 in y: the same points are exact for them too.
+//! (M5, `oracle/DERIVATION.md#m5-how-many-gauss-points-are-exact`.)
 
 /// A point of the rule.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,4 +1,5 @@
-//! The paper's element, consistent form. Four things differ from the paper's arrangement; none changes a result:
+//! The paper's element, consistent form. Four things differ from the paper's arrangement; none changes a result
+//! (`oracle/DERIVATION.md#8-for-speed-the-section-by-hand`):
 //!
 //! * **Through the thickness by hand.** With y across the section, r(x, y) = r₀(x) + y d(x): a cubic axis r₀ and a
 //!   quadratic director d. All strains are polynomials in y,

@@ -1,0 +1,227 @@
+"""Functions, sums, derivatives and integrals as parts of formulas."""
+
+import sympy
+from flint import fmpq_mpoly
+
+from .. import field
+from . import algebra
+from .algebra import Matrix, each, plus
+from .notation import PRODUCT, Node, Symbol, node
+
+
+class Function(Node):
+    """The cosine or the sine of an angle; `meanings` has the symbols of both."""
+
+    level = PRODUCT
+
+    def __init__(self, name, of, meanings):
+        self.name, self.of, self.meanings = name, of, meanings
+
+    def tex(self):
+        return f"{self.name} {self.of.tex()}"
+
+    def raised(self, exponent):
+        """The text of a power, whose exponent stands behind the name."""
+        return rf"{self.name}^{{{exponent.tex()}}} {self.of.tex()}"
+
+    def value(self, reading):
+        return reading.of(self.meanings[self.name])
+
+    def leaves(self):
+        return [self.meanings[self.name]]
+
+    def own_changes(self):
+        for other in self.meanings:
+            if other != self.name:
+                yield f"{other} for {self.name}", Function(other, self.of, self.meanings)
+
+
+class Where(Node):
+    """A function of x and y at a place; an expression of sympy."""
+
+    def __init__(self, function, x, y):
+        self.parts = [function, node(x), node(y)]
+
+    def tex(self):
+        function, *place = [part.tex() for part in self.parts]
+        return rf"{function}({', '.join(place)})"
+
+    def bound(self):
+        """The variables that it puts a place in for."""
+        return {field.x, field.y}
+
+    def value(self, reading):
+        function, *place = [part.value(reading) for part in self.parts]
+        return each(lambda entry: entry.subs(dict(zip((field.x, field.y), place))), function)
+
+
+class Evaluated(Node):
+    """An expression of sympy at a value of one variable, behind a bar."""
+
+    def __init__(self, part, variable, at):
+        self.variable, self.parts = variable, [part, node(at)]
+
+    def with_parts(self, parts):
+        return Evaluated(parts[0], self.variable, parts[1])
+
+    def tex(self):
+        part, at = [part.tex() for part in self.parts]
+        return rf"\left.{part}\right|_{{{self.variable.tex()} = {at}}}"
+
+    def bound(self):
+        """The variable that it puts a value in for."""
+        return {self.variable.meaning} | super().bound()
+
+    def value(self, reading):
+        part, at = [part.value(reading) for part in self.parts]
+        return part.subs(self.variable.meaning, at)
+
+
+class Determinant(Node):
+    """Of a matrix of expressions of sympy."""
+
+    level = PRODUCT
+
+    def __init__(self, part):
+        self.parts = [part]
+
+    def tex(self):
+        return rf"\det {self.inside(self.parts[0], PRODUCT)}"
+
+    def value(self, reading):
+        return sympy.Matrix(self.parts[0].value(reading).rows).det()
+
+
+class Along(Node):
+    """The integral of an expression of sympy over one variable."""
+
+    level = PRODUCT
+    spaced = True
+
+    def __init__(self, part, variable, low, high):
+        self.variable, self.parts = variable, [part, low, high]
+
+    def with_parts(self, parts):
+        return Along(parts[0], self.variable, *parts[1:])
+
+    def tex(self):
+        part, low, high = self.parts
+        return (rf"\int_{{{low.tex()}}}^{{{high.tex()}}} {self.inside(part, PRODUCT)}"
+                rf"\,\mathrm d{self.variable.tex()}")
+
+    def bound(self):
+        """The variable that it sums over."""
+        return {self.variable.meaning}
+
+    def value(self, reading):
+        part, low, high = [part.value(reading) for part in self.parts]
+        return sympy.integrate(sympy.expand(part), (self.variable.meaning, low, high))
+
+
+class Root(Node):
+    """A square root, of sympy's expressions."""
+
+    def __init__(self, part):
+        self.parts = [part]
+
+    def tex(self):
+        return rf"\sqrt{{{self.parts[0].tex()}}}"
+
+    def value(self, reading):
+        return sympy.sqrt(self.parts[0].value(reading))
+
+
+class Integral(Node):
+    """An integral over the volume, the length or the section."""
+
+    level = PRODUCT
+    spaced = True
+    DOMAINS = {
+        "V": (r"\int_V", r"\mathrm dV", (True, True)),
+        "l": (r"\int_0^l", r"\mathrm dx", (True, False)),
+        "A": (r"\int_A", r"\mathrm dA", (False, True)),
+    }
+
+    def __init__(self, domain, part):
+        self.domain, self.parts = domain, [part]
+
+    def with_parts(self, parts):
+        return Integral(self.domain, *parts)
+
+    def tex(self):
+        sign, element, _ = self.DOMAINS[self.domain]
+        return rf"{sign} {self.inside(self.parts[0], PRODUCT)}\,{element}"
+
+    def value(self, reading):
+        value, domain = self.parts[0].value(reading), self.DOMAINS[self.domain][2]
+        if reading.numbers:
+            return algebra.over_with_numbers(value, *domain, reading.numbers)
+        return algebra.over(value, *domain)
+
+    def bound(self):
+        """The variables that it sums over, both for any domain."""
+        return {"x", "y"}
+
+
+class Derivative(Node):
+    """The row of derivatives of a number by a column of the ring's variables, or the matrix of those of a column."""
+
+    level = PRODUCT
+    spaced = True
+
+    def __init__(self, part, by, names):
+        self.by, self.names, self.parts = by, names, [part]
+
+    def with_parts(self, parts):
+        return Derivative(*parts, self.by, self.names)
+
+    def tex(self):
+        part = self.parts[0]
+        if isinstance(part, Symbol):
+            return rf"\frac{{\partial {part.tex()}}}{{\partial {self.by}}}"
+        return rf"\frac{{\partial}}{{\partial {self.by}}} {self.inside(part, PRODUCT)}"
+
+    def bound(self):
+        """The variables that it differentiates by."""
+        return set(self.names)
+
+    def value(self, reading):
+        value = self.parts[0].value(reading)
+        result = Matrix([[one(entry, name) for name in self.names] for entry in algebra.entries(value)])
+        return algebra.scalar(result)
+
+
+def one(entry, name):
+    """The derivative of a polynomial or an expression by one variable."""
+    return entry.derivative(name) if isinstance(entry, fmpq_mpoly) else sympy.diff(entry, name)
+
+
+class Total(Node):
+    """A sum over i = 1, 2 of formulas that `term` makes."""
+
+    level = PRODUCT
+    spaced = True
+
+    def __init__(self, term, change=None):
+        self.term, self.change = term, change
+
+    def at(self, index):
+        """The term of an index, with the mistake, if any."""
+        term = self.term(index)
+        return term if self.change is None else list(term.changes())[self.change][1]
+
+    def tex(self):
+        return rf"\sum_{{i=1}}^{{2}} {self.inside(self.at('i'), PRODUCT)}"
+
+    def value(self, reading):
+        return plus(self.at(1).value(reading), self.at(2).value(reading))
+
+    def leaves(self):
+        return self.at(1).leaves() + self.at(2).leaves()
+
+    def bound(self):
+        return self.at(1).bound()
+
+    def own_changes(self):
+        for k, (what, _) in enumerate(self.term(1).changes()):
+            yield what, Total(self.term, k)

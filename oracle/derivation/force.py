@@ -1,0 +1,206 @@
+"""(18)-(21) and the tangent: from the energy to forces."""
+
+import sympy
+
+from .. import field
+from . import symbols as Y
+from .algebra import NODAL, Matrix, column, normal, over_volume, replace, total
+from .calculus import Derivative, Evaluated, Integral
+from .notation import Grouped, Quotient, Symbol, node
+from .symbols import (EPS, HALF, PLANE, S_a, S_a1, S_b, S_b1, S_c, S_c1, SIGMA, SQUARES, bar_1, bar_2, bar_3, e, e_0, energy,
+                      eps, eps_1, eps_2, eps_3, heat, lam, mu, sigma, sigma_1, sigma_2, sigma_3, theta)
+
+quarter, half = node("1/4"), node("1/2")
+
+
+def virtual_work():
+    """Q_e from the principle of virtual work: the first Piola-Kirchhoff stress on the rates of J."""
+    stress = Y.tensor(SIGMA)
+    first = Y.J.meaning @ stress
+    return [normal(over_volume(total(first[i, k] * rate[i, k] for i in PLANE for k in PLANE)))
+            for rate in Y.columns_of_J()]
+
+
+def weighted(weights):
+    """The integral of sum_k weights_k d2(eps_k)/de de, a symmetric matrix."""
+    pairs = [(weight, H) for weight, H in zip(weights, SQUARES) if weight is not None]
+    rows = [[Y.ZERO] * 14 for _ in range(14)]
+    for i in range(14):
+        for j in range(i, 14):
+            density = total(weight * H[i, j] * HALF for weight, H in pairs)
+            rows[i][j] = rows[j][i] = normal(over_volume(density))
+    return Matrix(rows)
+
+
+U = Symbol("U", energy())
+Q_e = Symbol(r"\mathbf Q_e", column(virtual_work()))
+# The stresses of the three parts of the density, each times the second derivatives of the strains.
+K_1 = Symbol(r"\mathbf K_1", weighted((EPS[0], EPS[1], None)))
+K_2 = Symbol(r"\mathbf K_2", weighted((EPS[1], EPS[0], None)))
+K_3 = Symbol(r"\mathbf K_3", weighted((None, None, EPS[2])))
+K = Symbol(r"\mathbf K", weighted((SIGMA[0], SIGMA[1], 2 * SIGMA[2])))
+U_printed = Symbol(r"U_\text{printed}", normal(over_volume(total(a * b for a, b in zip(EPS, SIGMA)) * HALF)))
+
+
+def frame():
+    """The density with a weight for the shear, for a strain given in the rod's own axes, seen from the inclination theta."""
+    angle = sympy.Symbol("theta", real=True)
+    own = sympy.symbols("E_11 E_22 E_12", real=True)
+    first, second = sympy.symbols("lambda mu", positive=True)
+    R = sympy.Matrix([[sympy.cos(angle), -sympy.sin(angle)], [sympy.sin(angle), sympy.cos(angle)]])
+    E = R * sympy.Matrix([[own[0], own[2]], [own[2], own[1]]]) * R.T
+
+    def density(weight):
+        return ((first + 2 * second) / 2 * (E[0, 0]**2 + E[1, 1]**2) + first * E[0, 0] * E[1, 1]
+                + weight * second / 2 * E[0, 1]**2)
+
+    return angle, own, (first, second), density
+
+
+def write(page):
+    """The chapter."""
+    page.heading("5 Energy and forces")
+    page.section("18", "Strain energy", ["equations.force::U", "equations.force::U_printed"])
+    page.words("""Half of stress times strain, summed over all components and all points. The shear stress works on
+        two components, 12 and 21, which are equal; hence the 2:""")
+    page.formula(U, half * Integral("V", bar_1 * sigma_1 + bar_2 * sigma_2 + 2 * bar_3 * sigma_3), number="18",
+                 how="""The left side is the contraction over all four components in the rod's own axes, where no
+        inclination enters; the right side is in global axes, with the strains (14) and the stresses (15).""")
+    page.words("""A bar marks the three components of {eps}, the strains less heat.""", eps=eps)
+    page.words("""**E3, an error in the paper.** It prints the product of the two columns, which counts the shear
+        once:""")
+    page.formula(U_printed, half * Integral("V", eps.T * sigma), U - Integral("V", mu * bar_3**2),
+                 how="The left side is summed strain by strain.")
+    angle, own, constants, density = frame()
+    psi = Symbol(r"\psi", density(4))
+    psi_printed = Symbol(r"\psi_\text{printed}", density(2))
+    E_11, E_22, E_12 = (Symbol(f"E_{{{n}}}", symbol) for n, symbol in zip(("11", "22", "12"), own))
+    second = Symbol(r"\mu", constants[1])
+    page.words("""This is no matter of taste, because a body's energy must not depend on who looks. Take one strain,
+        given in the rod's own axes, and describe it from a frame turned by {theta}. With the 2, the density {psi}
+        of the energy does not change; without it, it does. At the frame along the rod:""", theta=theta, psi=psi)
+
+    def slope(symbol):
+        return Derivative(symbol, theta.text, [angle])
+
+    turn = Symbol(theta.text, angle)
+    page.formulas_of([(slope(psi), node(0)),
+                      (Evaluated(slope(psi_printed), turn, 0), 2 * second * E_12 * (E_22 - E_11))], blind=(f"2 {psi.text}",),
+                     how="The left sides are derivatives of the densities of a strain turned by the rotation matrix.")
+    cos, sin = Symbol(r"\cos\theta", sympy.cos(angle)), Symbol(r"\sin\theta", sympy.sin(angle))
+    bending, tension = softening(angle, own, constants, density)
+    page.words("""What it does to a slender rod whose {nu} is zero, beside the right one: its stiffness in bending,
+        and its compliance in tension, get the factors""", nu=Symbol(r"\nu", 0))
+    page.formulas_of([
+        (Quotient(*(Symbol(text, value) for text, value in zip((r"B_\text{printed}", "B"), bending))), 1 - square(sin) * square(cos)),
+        (Quotient(*(Symbol(text, value) for text, value in zip((r"C_\text{printed}", "C"), tension))), 1 + 2 * square(sin) * square(cos))],
+        how="""Bending: the density of an axial strain alone. Tension: the axial strain is given and the other two
+        take the values of least energy.""")
+    page.words("""A rod at 45 degrees loses a quarter of its stiffness in bending and a third in tension, one along
+        an axis none. Rods of a deployable structure are inclined. Everything in this project but what has *printed*
+        in its name uses (18) as it stands here.""")
+
+    page.section("19", "Elastic forces", ["equations.force::Q_e"])
+    page.words("""If the nodal coordinates change a little, the energy changes; its derivative is the force against
+        that change. The strains are quadratic in {e}, so the derivative is {e} times a matrix, which depends on {e}
+        again:""", e=e)
+    page.formula(Q_e.T, Derivative(U, r"\mathbf e", NODAL), e.T * K, number="19",
+                 how="""The left side is the work of the first Piola-Kirchhoff stress on the rates of the gradient,
+        the principle of virtual work; no energy is differentiated for it.""")
+    page.words("""No force acts where nothing is strained, and forces inside a body have no resultant: moving all
+        positions along {d} does no work.""", d=Symbol(r"\mathbf d", 0))
+    page.formula(Symbol(r"\mathbf d", column([int(k in (0, 4, 10)) for k in range(14)])).T * Q_e, node(0),
+                 how="The force is that of virtual work.", blind=(r"2 \mathbf d", r"2 \mathbf Q_e"))
+
+    page.section("20", "The stiffness matrix", ["equations.force::K", "equations.force::K_printed"])
+    page.formula(K, (lam + 2 * mu) * K_1 + lam * K_2 + 4 * mu * K_3, number="20",
+                 how="""The left side is the integral of each stress times the second derivatives of its strain, the
+        shear counted twice; the matrices on the right are the same integrals for the three parts of the energy
+        alone.""")
+    page.words("""The paper prints a 2 in the place of the 4: E3 once more.""")
+
+    page.section("21", "Its parts", ["equations.force::S_1", "equations.force::K_1", "equations.force::K_2",
+                                     "equations.force::K_3", "equations.force::K_3_printed"])
+    page.words("""The derivative of a quadratic form takes the matrix and its transpose:""")
+    page.formulas_of([(S_a1, S_a.T + S_a), (S_b1, S_b.T + S_b), (S_c1, S_c.T + S_c)],
+                     how="The left sides are second derivatives of the metric by the nodal coordinates.",
+                     blind=(rf"no transpose of {S_a.text}", rf"no transpose of {S_b.text}"))
+    page.words("""and with them""")
+    a_, b_, c_ = (e.T * S_n * e for S_n in (S_a, S_b, S_c))
+    page.formulas_of([
+        (K_1, quarter * Integral("V", S_a1 * (a_ - 1 - 2 * heat) + S_b1 * (b_ - 1 - 2 * heat))),
+        (K_2, quarter * Integral("V", S_a1 * (b_ - 1 - 2 * heat) + S_b1 * (a_ - 1 - 2 * heat))),
+        (K_3, quarter * Integral("V", S_c1 * Grouped(c_)))],
+        number="21", how="The left sides are integrals of the strains (14) and of second derivatives.")
+    page.words("""**E2, an error in the paper.** It prints a 1 taken off in the last line too, as if the shear had
+        the 1 of the normal strains. The force of that term on the element that nobody has touched, cold and at
+        rest, does work in the shear {shear} of unit size; the right one does none:""", shear=SHEAR)
+    K_3_printed = Symbol(r"\mathbf K_{3,\text{printed}}", weighted((None, None, EPS[2] - HALF)))
+    cold_e0 = {"heat": Y.ZERO, **{name: entry for name, (entry,) in zip(NODAL, e_0.meaning.rows)}}
+    K_3_rest = Symbol(r"\mathbf K_3(\mathbf e_0)", K_3.meaning.each(lambda entry: normal(replace(entry, **cold_e0))))
+    K_3_rest_printed = Symbol(r"\mathbf K_{3,\text{printed}}(\mathbf e_0)",
+                              K_3_printed.meaning.each(lambda entry: normal(replace(entry, **cold_e0))))
+    page.formulas_of([
+        (K_3_printed, quarter * Integral("V", S_c1 * (c_ - 1))),
+        (SHEAR.T * K_3_rest_printed * e_0, -(half * Y.l * Y.h * Y.w)),
+        (SHEAR.T * K_3_rest * e_0, node(0))],
+        how="""The first left side is summed from strains; the others are products of matrices at the nodal
+        coordinates of the straight element at any inclination.""", blind=(r"2 \mathbf s", r"2 \mathbf e_0", r"2 \mathbf K_3(\mathbf e_0)"))
+    page.words("""With it an element lying on a table would start to shear by itself.""")
+    page.words("""With heat along the axis only ([M7](#m7-one-dimensional-heat-has-a-direction)) each bracket of
+        (21) loses twice its own component of the thermal strain, the third one too.""")
+
+    page.section("", "The tangent", ["equations.force::tangent"])
+    page.words("""Newton's iteration needs to know how the forces change with {e}; the paper leaves it out. By the
+        product rule: {K} once, and once the derivative of what is in the brackets of (21). These are twice the
+        strains, with the derivatives""", e=e, K=K)
+    a, b, c = (Symbol(rf"\mathbf {name}", column([form.derivative(n) * 2 for n in NODAL]))
+               for name, form in zip("abc", (eps_1.meaning, eps_2.meaning, eps_3.meaning)))
+    page.formulas_of([(a, S_a1 * e), (b, S_b1 * e), (c, S_c1 * e)],
+                     how="""The left sides are the derivatives of twice the strains that are found from the lengths
+        of fibres.""")
+    page.words("So the tangent is")
+
+    def outer(p, q):
+        return p * q.T
+
+    page.formula(Symbol(r"\frac{\partial \mathbf Q_e}{\partial \mathbf e}", Matrix([[force.derivative(name) for name in NODAL] for (force,) in Q_e.meaning.rows])),
+                 K + quarter * Integral("V", (lam + 2 * mu) * (outer(a, a) + outer(b, b)) + lam * (outer(a, b) + outer(b, a))
+                                        + 4 * mu * outer(c, c)),
+                 how="The left side holds the derivatives of the force of virtual work.")
+    page.words("""{K} holds the stresses and is called the geometric part, the integral holds the elasticity, the
+        material part. Both are symmetric, as second derivatives are.""", K=K)
+
+
+def square(symbol):
+    """A square of a sine or a cosine."""
+    name = symbol.text.split(r"\theta")[0]
+    return Symbol(rf"{name}^2\theta", symbol.meaning**2)
+
+
+def softening(angle, own, constants, density):
+    """A slender rod at nu = 0 with the printed shear and the right one: stiffness in bending, compliance in
+        tension."""
+    E_11, E_22, E_12 = own
+    value = {constants[0]: 0}
+
+    def stiffness(weight, strain):
+        return sympy.simplify(2 * density(weight).subs(value).subs(strain))
+
+    axial = {E_11: 1, E_22: 0, E_12: 0}
+    bending = stiffness(2, axial), stiffness(4, axial)
+    free = [density(weight).subs(value).subs(E_11, 1) * 2 for weight in (2, 4)]
+    least = [form.subs(sympy.solve([form.diff(E_22), form.diff(E_12)], [E_22, E_12])) for form in free]
+    return bending, [sympy.simplify(1 / form) for form in least]
+
+
+def shear_of_unit_size():
+    """Nodal coordinates of the displacement whose strain at the start is E_12 = 1 in global axes."""
+    c, s = sympy.symbols("c s")
+    # The displacement (r_0y, r_0x) of the point r_0 = R (x, y): its gradient by r_0 is [[0, 1], [1, 0]].
+    fields = (s * field.x + c * field.y, c * field.x - s * field.y)
+    values = zip(*[field.nodal_values(component) for component in fields])
+    return column([Y.lift(value, (field.l, c, s)) for pair in values for value in pair])
+
+
+SHEAR = Symbol(r"\mathbf s", shear_of_unit_size())

@@ -1,0 +1,83 @@
+"""(6), (7) and the weight."""
+
+from . import symbols as Y
+from .algebra import GEN, NODAL, column, hessian, normal, over_volume, total
+from .calculus import Integral
+from .notation import Quotient, Symbol, Table, node
+from .. import field
+from .symbols import HALF, ONE, PLANE, RING, e_dot, h, l, r_dot, rho, w
+
+
+def by_coefficients():
+    """T from the coefficients of (A.1) and the integrals of products of its monomials: no shape function enters."""
+    def moment(p, q):
+        return over_volume(monomial(p) * monomial(q))
+
+    energy = RING.constant(0)
+    for i in PLANE:
+        rates = [Y.in_nodes(k, NODAL, i) for k in field.coefficients()]
+        for p, a in zip(field.MONOMIALS, rates):
+            for q, b in zip(field.MONOMIALS, rates):
+                energy += a * b * moment(p, q) * GEN["rho"] * HALF
+    return normal(energy)
+
+
+def monomial(expression):
+    """One of (A.1) in the ring."""
+    return Y.lift(expression, (field.x, field.y, field.l))
+
+
+def weights_work():
+    """The work of the weight, the integral of rho g . r, from the polynomial."""
+    g = [GEN["g1"], GEN["g2"]]
+    return normal(over_volume(total(g[i] * Y.r_components()[i] for i in PLANE) * GEN["rho"]))
+
+
+KINETIC = by_coefficients()
+WORK = weights_work()
+T = Symbol("T", KINETIC)
+M = Symbol(r"\mathbf M", hessian(KINETIC, NODAL))
+g = Symbol(r"\mathbf g", column([GEN["g1"], GEN["g2"]]))
+Q_w = Symbol(r"\mathbf Q_w", column([WORK.derivative(name) for name in NODAL]))
+S = Y.S
+
+
+def write(page):
+    """The chapter."""
+    page.heading("2 Inertia: a mass matrix that never changes")
+    page.words("""The element is a bar of the length {l}, the height {h} (in the plane) and the width {w} (across
+        it). A volume integral is three integrals, and the sum of all volume elements is the volume:""", l=l, h=h, w=w)
+    page.formula(Integral("V", Symbol("1", ONE)), l * h * w,
+                 how="""The left side is the integral from zero to l along the element, over its height about the
+        axis, times its width.""")
+
+    page.section("6", "Kinetic energy", ["equations.inertia::T_integral", "equations.inertia::T"])
+    page.words("""Half the mass times the square of the velocity, summed over all points. With (5) the velocity is
+        {S} times a column that does not depend on the place, which can be taken out of the integral on both sides;
+        a matrix {M} is left.""",
+               S=S, M=M)
+    page.formula(T, node("1/2") * Integral("V", rho * r_dot.T * r_dot), node("1/2") * e_dot.T * M * e_dot, number="6",
+                 how="""The left side is summed from the coefficients (A.3) and the integrals of products of the
+        monomials of (A.1).""")
+
+    page.section("7", "The mass matrix", ["equations.inertia::M"])
+    page.formula(M, Integral("V", rho * S.T * S), number="7",
+                 how="The left side holds the second derivatives of that sum by the nodal velocities.")
+    page.words("""{M} is symmetric, and constant: no rotation enters, so there are no centrifugal and Coriolis
+        forces to write down. A test of it: a column {d} that moves every point by one along the first axis has ones
+        for the first components of the three positions and zeros for all else. It must feel the whole mass.""", M=M, d=MOVE)
+    page.formula(MOVE.T * M * MOVE, rho * l * h * w, how="The left side is computed with the matrix above.")
+
+    page.section("", "The weight", ["equations.inertia::Q_w_gravity"])
+    page.words("""A generalized force is the derivative of work by the nodal coordinates. The weight's work is the
+        integral of density times {g} times position; with (1), its derivative is""", g=g)
+    zero, mass = Y.O, rho * l * h * w
+    sixth, middle = Quotient(g, node(6)), Quotient(2 * g, node(3))
+    page.formula(Q_w, Integral("V", rho * S.T * g),
+                 mass * Table([sixth], [zero], [middle], [zero], [zero], [sixth], [zero]),
+                 how="""The left side is the derivative of the work, integrated from the polynomial.""", blind=(r"2 \mathbf 0",))
+    page.words("""The ends carry a sixth of the weight each and the middle two thirds: Simpson's rule. The slopes
+        carry nothing, as the weight of a straight section pulls at its middle.""")
+
+
+MOVE = Symbol(r"\mathbf d", column([int(k in (0, 4, 10)) for k in range(14)]))

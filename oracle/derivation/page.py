@@ -1,0 +1,166 @@
+"""The page: words, formulas that are checked as they are written down, and links into the code."""
+
+import sympy
+from flint import fmpq, fmpq_mpoly
+
+from . import algebra
+from .algebra import Matrix, is_zero
+from .notation import Reading, Symbol, compute
+
+KINDS = {
+    "ring": "Equal as polynomials, whatever the symbols stand for.",
+    "sympy": "Equal as expressions, whatever the symbols stand for.",
+    "state": "Equal as rational numbers, in a state drawn at random.",
+}
+
+
+class Formula:
+    """Parts that must be equal, in the order in which they are written."""
+
+    def __init__(self, parts):
+        self.parts = list(parts)
+        first, *others = compute(self.parts, Reading())
+        for part, value in zip(self.parts[1:], others):
+            assert same(first, value), f"not equal:\n  {self.parts[0].tex()}\n  {part.tex()}"
+
+    @property
+    def kind(self):
+        """What the values are made of: polynomials, expressions, or numbers alone."""
+        entries = [entry for part in self.parts for leaf in part.leaves() for entry in entries_of(leaf)]
+        if any(isinstance(entry, fmpq_mpoly) for entry in entries):
+            return "ring"
+        return "state" if any(isinstance(entry, fmpq) for entry in entries) else "sympy"
+
+    def lines(self):
+        """The text, broken before each equality sign but the first."""
+        first, second, *others = [part.tex() for part in self.parts]
+        return [f"{first} &= {second}", *(f"&= {other}" for other in others)]
+
+    def changes(self):
+        """(what, parts) for each mistake in a part that is more than a name."""
+        for k, part in enumerate(self.parts):
+            if not isinstance(part, Symbol):
+                for what, changed in part.changes():
+                    yield what, [*self.parts[:k], changed, *self.parts[k + 1:]]
+
+    def unnoticed(self):
+        """The mistakes that leave the assertion true, and the number of all."""
+        bound = set().union(*(part.bound() for part in self.parts))
+        numbers = {name: value for name, value in numbers_for(self.parts).items() if name not in bound}
+        quick, found, count = Reading(numbers), [], 0
+        for what, parts in self.changes():
+            count += 1
+            # With numbers it is quick; what is right in numbers may still be wrong.
+            if holds(parts, quick) and holds(parts, Reading()):
+                found.append(what)
+        return found, count
+
+
+def entries_of(leaf):
+    """What a symbol stands for, as a list of numbers."""
+    return algebra.entries(leaf.meaning) if isinstance(leaf, Symbol) else []
+
+
+def same(a, b):
+    """Whether two values are equal."""
+    if isinstance(a, Matrix) != isinstance(b, Matrix) or isinstance(a, Matrix) and a.shape != b.shape:
+        return False
+    return is_zero(a - b)
+
+
+def holds(parts, reading):
+    """Whether formulas that may be wrong are equal."""
+    try:
+        first, *others = compute(parts, reading)
+    except (ValueError, ZeroDivisionError, AssertionError):
+        return False  # shapes that do not fit, a division by zero, an inverse that is none
+    return all(same(first, value) for value in others)
+
+
+def numbers_for(parts):
+    """Rational numbers for the ring's variables, and for those of sympy but angles."""
+    values = [entry for part in parts for leaf in part.leaves() for entry in entries_of(leaf)]
+    symbols = set().union(*(value.free_symbols for value in values if isinstance(value, sympy.Basic)))
+    chosen = {symbol: sympy.Rational(7 + 2 * k, 11 + k) for k, symbol in enumerate(sorted(symbols, key=str))
+              if symbol.name != "theta"}
+    return algebra.SOMEWHERE_ELSE | chosen
+
+
+class Page:
+    """Text that grows from top to bottom, with the formulas in it."""
+
+    def __init__(self):
+        self.blocks, self.groups = [], []
+
+    def heading(self, title, level=2):
+        """A heading without an equation."""
+        self.blocks.append(f"{'#' * level} {title}")
+
+    def section(self, number, title, rust=()):
+        """The section of an equation, with the functions that state it in Rust."""
+        self.heading(f"({number}) {title}" if number else title, 3)
+        if rust:
+            self.rust(*rust)
+
+    def rust(self, *items):
+        """Links to functions and types of src/, given as module.file::item."""
+        links = []
+        for item in items:
+            file, name = item.split("::")
+            links.append(f"[`{file.split('.')[-1]}::{name}`](../src/{file.replace('.', '/')}.rs)")
+        self.blocks.append("In Rust: " + ", ".join(links) + ".")
+
+    def words(self, text, **named):
+        """A paragraph. No formula is typed in it: {name} is one of `named`."""
+        assert "$" not in text and "\\" not in text, f"typed formula: {text}"
+        self.blocks.append(" ".join(text.format_map(named).split()))
+
+    def drawing(self, text):
+        """A sketch in characters."""
+        self.blocks.append("```text\n" + text.strip("\n") + "\n```")
+
+    def table(self, head, rows):
+        """A table of words and symbols."""
+        lines = [head, ["---"] * len(head), *rows]
+        self.blocks.append("\n".join("| " + " | ".join(line) + " |" for line in lines))
+
+    def commands(self, text):
+        """Lines for a shell."""
+        self.blocks.append("```sh\n" + text.strip("\n") + "\n```")
+
+    def details(self, summary, text):
+        """A paragraph that is folded away."""
+        self.blocks.append(f"<details><summary>{summary}</summary>\n\n{' '.join(text.split())}\n\n</details>")
+
+    def formula(self, *parts, number=None, how, blind=()):
+        """One displayed chain of equalities."""
+        self.formulas_of([parts], number=number, how=how, blind=blind)
+
+    def formulas_of(self, chains, *, number=None, how, blind=()):
+        """Several under one number. `blind`: the mistakes in them that are none, as what they change is zero or the same."""
+        formulas = [Formula(chain) for chain in chains]
+        self.groups.append((formulas, set(blind)))
+        lines = [line for formula in formulas for line in formula.lines()]
+        body = lines[0].replace("&= ", "= ") if len(lines) == 1 else (
+            "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}")
+        tag = f" \\tag{{{number}}}" if number else ""
+        kinds = dict.fromkeys(KINDS[formula.kind] for formula in formulas)
+        self.blocks.append(f"```math\n{body}{tag}\n```")
+        self.blocks.append(f"> **Asserted.** {' '.join(how.split())} {' '.join(kinds)}")
+
+    def text(self):
+        """The page as Markdown."""
+        return "\n\n".join(self.blocks) + "\n"
+
+    def noticed(self):
+        """Formulas, mistakes tried in them, and how many of these were none; all others must be noticed."""
+        count = tried = none = 0
+        for formulas, blind in self.groups:
+            found = []
+            for formula in formulas:
+                unnoticed, number = formula.unnoticed()
+                found += unnoticed
+                tried += number
+            assert set(found) == blind, f"{formulas[0].parts[0].tex()}: unnoticed {set(found)}, declared {blind}"
+            count, none = count + len(formulas), none + len(found)
+        return count, tried, none
