@@ -84,7 +84,10 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
             }
             method.step(&structure, &mut state, t, &mut counts)?;
             if works {
-                recorder.work(&before, &state);
+                match method.work(&structure, &before, &state) {
+                    Some(work) => recorder.put_in(work),
+                    None => recorder.work(&before, &state),
+                }
             }
         }
         if scene.is_row(step) {
@@ -189,7 +192,8 @@ impl Energy {
         Energy { start, input, supply: 0.0, works, thermal: [thermal.clone(), thermal], vector }
     }
 
-    /// Adds the work of forces and of heating over a step.
+    /// Adds the work of forces and of heating over a step from what is known at its ends: of second order, and exact for the
+    /// energy–momentum rule.
     fn work(&mut self, structure: &Structure, before: &State, after: &State) {
         let [thermal_0, thermal_1] = &mut self.thermal;
         structure.thermal_strains_into(before.t, thermal_0);
@@ -254,6 +258,13 @@ impl<'a> Recorder<'a> {
     /// Whether forces or heat put energy in that has to be known.
     fn works(&self) -> bool {
         self.energy.as_ref().is_some_and(|energy| energy.works)
+    }
+
+    /// Adds work that the method knows.
+    fn put_in(&mut self, work: f64) {
+        if let Some(energy) = &mut self.energy {
+            energy.input += work;
+        }
     }
 
     fn work(&mut self, before: &State, after: &State) {

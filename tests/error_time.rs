@@ -369,8 +369,8 @@ fn failures_are_points_too_and_the_front_is_timed() {
     let case = cantilever();
     let reference = Reference::embedded(case, Element::EulerBernoulli).unwrap();
     let subject = Subject { case, element: Element::EulerBernoulli, reference };
-    let reach = Reach { longest_run: 1.0, finest_mesh: 8 };
-    let points = subject.walk(Technique::of(Method::Static).unwrap(), &reach, || ()).unwrap();
+    let reach = Reach { longest_run: 1.0, finest_mesh: 8, finest_static: 8 };
+    let points = subject.points(&reach, || ()).unwrap();
     let failures: Vec<_> = points.iter().filter(|point| point.status == Status::Failed).collect();
     assert!(!failures.is_empty() && failures.iter().all(|point| point.reason.contains("no equilibrium")));
     assert!(failures.iter().all(|point| point.errors.is_none() && point.time.is_none()));

@@ -36,6 +36,9 @@ pub trait Embedded {
 
     /// Takes back what the method carries from step to step.
     fn undo(&mut self);
+
+    /// Work of forces and heat over the step just made, J.
+    fn work(&mut self, structure: &Structure, before: &State, after: &State) -> f64;
 }
 
 /// A method with its steps.
@@ -66,6 +69,10 @@ impl<M: Embedded> Adaptive<M> {
 }
 
 impl<M: Embedded> Integrator for Adaptive<M> {
+    fn work(&mut self, structure: &Structure, before: &State, after: &State) -> Option<f64> {
+        Some(self.method.work(structure, before, after))
+    }
+
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
         self.before.copy_from(state);
         loop {

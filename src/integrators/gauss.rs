@@ -14,6 +14,7 @@
 
 use nalgebra::{Complex, DVector};
 
+use super::work::{POINTS as C, Work};
 use super::{Embedded, Integrator, State};
 use crate::counts::Counts;
 use crate::error::Result;
@@ -24,8 +25,8 @@ use crate::structure::Structure;
 
 const ROOT_3: f64 = 1.732_050_807_568_877_2;
 
-/// Where the stages are.
-const C: [f64; 2] = [0.5 - ROOT_3 / 6.0, 0.5 + ROOT_3 / 6.0];
+/// A, by rows: velocities are v₀ + Δt Σ Aᵢⱼ aⱼ.
+const A: [[f64; 2]; 2] = [[0.25, 0.25 - ROOT_3 / 6.0], [0.25 + ROOT_3 / 6.0, 0.25]];
 
 /// A⁻², by rows.
 const INVERSE: [[f64; 2]; 2] = [[6.0, 6.0 * (2.0 * ROOT_3 - 3.0)], [-6.0 * (2.0 * ROOT_3 + 3.0), 6.0]];
@@ -68,6 +69,7 @@ struct Memory {
     thermal: [Vec<ThermalStrain>; 2],
     complex: DVector<Complex<f64>>,
     factors: Chains<Complex<f64>>,
+    work: Work,
 }
 
 impl Gauss {
@@ -88,6 +90,7 @@ impl Gauss {
             thermal: [thermal(), thermal()],
             complex: DVector::zeros(structure.size()),
             factors: structure.complex_factors(),
+            work: Work::new(structure),
         };
         Gauss { step, newton, matrix_step: step, memory }
     }
@@ -239,9 +242,25 @@ impl Embedded for Gauss {
     }
 
     fn undo(&mut self) {}
+
+    /// By the rule that the stages are points of: where forces are linear in the displacement it is exactly what the method's step
+    /// changes the energy by, resolved or not.
+    fn work(&mut self, structure: &Structure, before: &State, after: &State) -> f64 {
+        let dt = after.t - before.t;
+        let Memory { u, value: velocities, a, work, .. } = &mut self.memory;
+        for (v, weights) in velocities.iter_mut().zip(A) {
+            v.copy_from(&before.v);
+            a.iter().zip(weights).for_each(|(a, weight)| v.axpy(weight * dt, a, 1.0));
+        }
+        work.of(structure, dt, after.t, u, velocities)
+    }
 }
 
 impl Integrator for Gauss {
+    fn work(&mut self, structure: &Structure, before: &State, after: &State) -> Option<f64> {
+        Some(Embedded::work(self, structure, before, after))
+    }
+
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
         self.make(structure, state, self.step, t_1, counts)?;
         counts.steps += 1;

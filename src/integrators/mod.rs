@@ -6,6 +6,7 @@ mod explicit;
 mod gauss;
 mod generalized_alpha;
 mod nystrom;
+mod work;
 
 use nalgebra::DVector;
 
@@ -68,6 +69,12 @@ pub trait Integrator {
 
     /// The multipliers λ that belong to the state, in their places; `None` for methods without.
     fn multipliers(&self) -> Option<&DVector<f64>> {
+        None
+    }
+
+    /// Work of forces and heat over the last step, J; `None` for methods of order two, for which the ends of the step say enough.
+    fn work(&mut self, structure: &Structure, before: &State, after: &State) -> Option<f64> {
+        let _ = (structure, before, after);
         None
     }
 }

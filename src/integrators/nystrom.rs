@@ -7,6 +7,7 @@
 
 use nalgebra::DVector;
 
+use super::work::{POINTS, Work};
 use super::{Embedded, Integrator, Motion, State, check_step};
 use crate::counts::Counts;
 use crate::error::{Error, Result};
@@ -38,6 +39,9 @@ pub struct Nystrom {
     a: [DVector<f64>; STAGES],
     u: DVector<f64>,
     error: DVector<f64>,
+    /// Displacements and velocities between the ends of a step, for the work.
+    between: [[DVector<f64>; 2]; 2],
+    work: Work,
 }
 
 impl Nystrom {
@@ -61,7 +65,8 @@ impl Nystrom {
         let zeros = || DVector::zeros(structure.size());
         let mut a: [DVector<f64>; STAGES] = std::array::from_fn(|_| zeros());
         a[STAGES - 1].copy_from(&motion.a);
-        Ok(Nystrom { step, motion, a, u: zeros(), error: zeros() })
+        let between = [[zeros(), zeros()], [zeros(), zeros()]];
+        Ok(Nystrom { step, motion, a, u: zeros(), error: zeros(), between, work: Work::new(structure) })
     }
 }
 
@@ -105,9 +110,31 @@ impl Embedded for Nystrom {
     fn undo(&mut self) {
         self.a.swap(0, STAGES - 1);
     }
+
+    /// On the cubic through both ends of the step, with their velocities.
+    fn work(&mut self, structure: &Structure, before: &State, after: &State) -> f64 {
+        let dt = after.t - before.t;
+        let [displacements, velocities] = &mut self.between;
+        for ((u, v), s) in displacements.iter_mut().zip(&mut *velocities).zip(POINTS) {
+            let r = 1.0 - s;
+            u.copy_from(&before.u);
+            u.axpy(s * s * (3.0 - 2.0 * s), &after.u, r * r * (3.0 - 2.0 * r));
+            u.axpy(dt * s * r * r, &before.v, 1.0);
+            u.axpy(-dt * r * s * s, &after.v, 1.0);
+            v.copy_from(&after.u);
+            v.axpy(-6.0 * s * r / dt, &before.u, 6.0 * s * r / dt);
+            v.axpy(r * (1.0 - 3.0 * s), &before.v, 1.0);
+            v.axpy(s * (1.0 - 3.0 * r), &after.v, 1.0);
+        }
+        self.work.of(structure, dt, after.t, displacements, velocities)
+    }
 }
 
 impl Integrator for Nystrom {
+    fn work(&mut self, structure: &Structure, before: &State, after: &State) -> Option<f64> {
+        Some(Embedded::work(self, structure, before, after))
+    }
+
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
         self.make(structure, state, self.step, t_1, counts)?;
         counts.steps += 1;

@@ -39,7 +39,6 @@ use group::Group;
 use machine::Machine;
 use peers::Peer;
 use reference::Reference;
-use technique::TECHNIQUES;
 use walk::{Reach, Subject};
 
 /// What is measured.
@@ -122,11 +121,7 @@ fn measure(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) ->
     let (mut groups, mut peer_rows) = (Vec::new(), Vec::new());
     for subject in &subjects {
         bar.set_message(format!("{}, {}", subject.case.scene, subject.element));
-        let mut points = Vec::new();
-        for technique in TECHNIQUES.iter().filter(|technique| technique.is_static() == subject.case.is_static()) {
-            points.extend(subject.walk(technique, &reach, || bar.inc(1))?);
-        }
-        let mut group = Group::new(subject, points)?;
+        let mut group = Group::new(subject, subject.points(&reach, || bar.inc(1))?)?;
         // The other program's errors are distances from the limit of its own theory, whichever element of ours is beside it.
         let theirs = Reference::embedded(subject.case, Element::EulerBernoulli)?;
         let of_scene = rows.iter().filter(|row| row.case == subject.case).cloned();
@@ -177,10 +172,7 @@ fn read_peers(options: &Options, out: &Path) -> Result<(Vec<Peer>, String)> {
 
 /// A bar with the time left, on a terminal; nothing in a pipe. It has no thread of its own, which would disturb the times.
 fn progress(subjects: &[Subject], reach: &Reach) -> ProgressBar {
-    let walks = |subject: &Subject| {
-        let fitting = TECHNIQUES.iter().filter(|technique| technique.is_static() == subject.case.is_static());
-        subject.meshes(reach).len() * fitting.count()
-    };
+    let walks = |subject: &Subject| subject.meshes(reach).len() * subject.techniques().count();
     let bar = ProgressBar::new(subjects.iter().map(walks).sum::<usize>() as u64);
     let style = ProgressStyle::with_template("{msg} {bar:30} {pos}/{len}, {eta} left");
     style.map_or(bar.clone(), |style| bar.with_style(style))

@@ -20,7 +20,7 @@ pub fn page(study: &Study, svg: &str) -> String {
     );
     html.paragraph(&format!(
         "Times are medians of {RUNS} runs or more after one that does not count, with the shortest and the longest in brackets; \
-         points that the same method betters in a third of the time or less (\"outclassed\") were timed once. {}",
+         points that the same method betters in four fifths of the time or less (\"outclassed\") were timed once. {}",
         study.machine.line()
     ));
     html.svg(svg);

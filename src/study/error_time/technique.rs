@@ -38,15 +38,13 @@ const fn implicit(method: Method, newton_tolerance: f64, order: i32, colour: usi
 /// Newton's tolerance of methods that have no iteration: any.
 const NO_NEWTON: f64 = 1e-10;
 
-/// All methods. A new one is a line here, and maybe a witness of [`CASES`](super::case::CASES). Implicit ones come with a
-/// tolerance of Newton's iteration that is good for coarse results and with one for fine ones.
-pub const TECHNIQUES: [Technique; 11] = [
+/// All methods. A new one is a line here, and maybe a witness of [`CASES`](super::case::CASES). Generalized-α comes with a tolerance
+/// of Newton's iteration that is good for coarse results and with one for fine ones.
+pub const TECHNIQUES: [Technique; 9] = [
     implicit(Method::GeneralizedAlpha, 1e-3, 2, 1),
     implicit(Method::GeneralizedAlpha, 1e-5, 2, 1),
-    implicit(Method::EnergyMomentum, 1e-3, 2, 2),
-    implicit(Method::EnergyMomentum, 1e-5, 2, 2),
-    implicit(Method::Gauss, 1e-4, 4, 4),
-    implicit(Method::Gauss, 1e-6, 4, 4),
+    implicit(Method::EnergyMomentum, 1e-4, 2, 2),
+    implicit(Method::Gauss, 1e-5, 4, 4),
     Technique { drive: Drive::Tolerances(1e-2), ..implicit(Method::GaussAdaptive, 1e-5, 4, 6) },
     Technique { explicit: true, ..implicit(Method::Explicit, NO_NEWTON, 2, 5) },
     Technique { explicit: true, ..implicit(Method::Nystrom, NO_NEWTON, 4, 7) },

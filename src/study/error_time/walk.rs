@@ -1,18 +1,19 @@
 //! The grid: which meshes and steps are tried for a scene, an element and a method, and which of them are timed.
 
 use super::case::Case;
+use super::front::DECADES;
 use super::point::{Point, Status};
 use super::reference::{Mesh, Reference};
 use super::samples::{Samples, largest};
-use super::technique::Technique;
+use super::technique::{TECHNIQUES, Technique};
 use super::timing::{Timing, repeated, timed};
-use super::trial::{Record, Trial};
+use super::trial::{Record, Setting, Trial};
 use crate::error::{Error, Result};
 use crate::run::{Run, run};
-use crate::scene::Element;
+use crate::scene::{Element, Method};
 
 /// Error in time over that in space below which a mesh has no use for a shorter step.
-const FINE: f64 = 0.1;
+const FINE: f64 = 0.3;
 
 /// The same ratio over which a step is too long for any finer mesh.
 const COARSE: f64 = 10.0;
@@ -20,8 +21,15 @@ const COARSE: f64 = 10.0;
 /// Failures in a row after which a mesh is given up.
 const FAILURES: usize = 6;
 
-/// A run of the same method that is at least as accurate in less than this part of the time makes a point useless.
-const OUTCLASSED: f64 = 1.0 / 3.0;
+/// A run of the same method that is at least as accurate in less than this part of the time makes a point useless: more than
+/// single runs differ by.
+const OUTCLASSED: f64 = 0.8;
+
+/// A mesh whose error in space is this many times the largest error that anybody asks for is not tried.
+const HOPELESS: f64 = 3.0;
+
+/// How often the steps between one that is just too long for a decade of error and one that is short enough are halved.
+const BISECTIONS: usize = 2;
 
 /// An explicit run that would take this many times the longest one is not begun.
 const MOST_RUNS_OVER: f64 = 2.0;
@@ -33,13 +41,15 @@ pub struct Reach {
     pub longest_run: f64,
     /// Elements of each rod at most.
     pub finest_mesh: usize,
+    /// The same in statics, which takes no time.
+    pub finest_static: usize,
 }
 
 impl Reach {
     /// The whole study.
-    pub const FULL: Reach = Reach { longest_run: 1.0, finest_mesh: usize::MAX };
+    pub const FULL: Reach = Reach { longest_run: 0.6, finest_mesh: 32, finest_static: usize::MAX };
     /// A first look.
-    pub const QUICK: Reach = Reach { longest_run: 0.1, finest_mesh: 16 };
+    pub const QUICK: Reach = Reach { longest_run: 0.06, finest_mesh: 16, finest_static: 16 };
 }
 
 /// A scene and an element with their reference.
@@ -54,26 +64,82 @@ pub struct Subject {
 }
 
 impl Subject {
-    /// Meshes that are worth a run: up to the first that is as good as the reference.
+    /// Meshes that are worth a run: from the first that is of use up to the first that is as good as the reference.
     pub fn meshes(&self, reach: &Reach) -> Vec<&Mesh> {
         let uncertainty = self.reference.converged.uncertainty;
         let at_limit = |mesh: &&Mesh| Status::of(self.reference.space_error(mesh), uncertainty) == Status::AtLimit;
         let meshes = &self.reference.meshes;
         let useful = meshes.iter().position(|mesh| at_limit(&mesh)).map_or(meshes.len(), |first| first + 1);
-        meshes[..useful].iter().filter(|mesh| mesh.elements <= reach.finest_mesh).collect()
+        let hopeless = HOPELESS * DECADES[0];
+        let most = if self.case.is_static() { reach.finest_static } else { reach.finest_mesh };
+        let of_use = |mesh: &&Mesh| mesh.elements <= most && self.reference.space_error(mesh) <= hopeless;
+        meshes[..useful].iter().filter(of_use).collect()
     }
 
-    /// All points of one method.
+    /// The methods that fit.
+    pub fn techniques(&self) -> impl Iterator<Item = &'static Technique> {
+        TECHNIQUES.iter().filter(|technique| technique.is_static() == self.case.is_static())
+    }
+
+    /// All points of all methods; `on_mesh` is told of each mesh with each of them.
     ///
     /// # Errors
     /// [`Error::Fixture`] for scenes that do not have what the study asks for. A run that fails is a point.
-    pub fn walk(&self, technique: &'static Technique, reach: &Reach, on_mesh: impl Fn()) -> Result<Vec<Point>> {
+    pub fn points(&self, reach: &Reach, on_mesh: impl Fn()) -> Result<Vec<Point>> {
+        let mut tried = Vec::new();
+        for technique in self.techniques() {
+            self.walk(technique, reach, &mut tried)?;
+            self.meshes(reach).iter().for_each(|_| on_mesh());
+        }
+        for _ in 0..BISECTIONS {
+            for (trial, mesh) in self.between(&tried) {
+                tried.push((trial, screen(&trial, &self.reference, mesh)?.0));
+            }
+        }
+        time_useful(tried, &self.reference)
+    }
+
+    /// Steps in the middle of one that is too long for a decade of error and the next shorter one that is not, where the middle may
+    /// be the fastest of all methods.
+    fn between(&self, tried: &[(Trial, Point)]) -> Vec<(Trial, &Mesh)> {
+        let enough = |point: &Point, decade| point.bound().is_some_and(|bound| bound <= decade);
+        let mut between = Vec::new();
+        for decade in DECADES {
+            let able = tried.iter().filter(|(_, point)| enough(point, decade));
+            let best = able.filter_map(|(_, point)| point.seconds()).fold(f64::INFINITY, f64::min);
+            for (trial, point) in tried.iter().filter(|(_, point)| enough(point, decade)) {
+                let Setting::Steps(parts) = trial.setting else { continue };
+                // The longest of the steps that are shorter than what is too long.
+                let same = |other: &&(Trial, Point)| {
+                    (other.0.technique, other.0.elements) == (trial.technique, trial.elements)
+                };
+                let longer = tried.iter().filter(same).filter_map(|(other, point)| match other.setting {
+                    Setting::Steps(fewer) if fewer < parts => Some((fewer, enough(point, decade))),
+                    _ => None,
+                });
+                let Some((fewer, false)) = longer.max() else { continue };
+                let middle = (fewer + parts) / 2;
+                let fast = point.seconds().is_some_and(|time| time * middle as f64 <= best * parts as f64);
+                let new = Trial { setting: Setting::Steps(middle), ..*trial };
+                let known = |other: &Trial| same(&&(*other, point.clone())) && other.setting == new.setting;
+                if let (true, true, Some(mesh)) = (fast, middle > fewer, self.reference.mesh(trial.elements))
+                    && !tried.iter().any(|(other, _)| known(other))
+                    && !between.iter().any(|(other, _)| known(other))
+                {
+                    between.push((new, mesh));
+                }
+            }
+        }
+        between
+    }
+
+    /// Tries the meshes and steps of one method.
+    fn walk(&self, technique: &'static Technique, reach: &Reach, tried: &mut Vec<(Trial, Point)>) -> Result<()> {
         let &Subject { case, element, ref reference } = self;
-        let mut tried: Vec<(Trial, Point)> = Vec::new();
         let mut start = None;
         for mesh in self.meshes(reach) {
             let elements = mesh.elements;
-            let mut trial = Trial { case, element, elements, technique, setting: super::trial::Setting::Steps(1) };
+            let mut trial = Trial { case, element, elements, technique, setting: Setting::Steps(1) };
             trial.setting = match start {
                 // What was too long for a coarser mesh is so for this one; an explicit limit is each mesh's own, and so is
                 // the number of load steps, which is a matter of finding the equilibrium.
@@ -103,17 +169,14 @@ impl Subject {
             }
             // No step was short enough in the time there is: a finer mesh begins where this one ended.
             start = start.or(Some(trial.setting));
-            on_mesh();
         }
-        time_useful(tried)
+        Ok(())
     }
 }
 
-/// A first run, with everything that is recorded but not timed, and a second with the time that tells which points are
-/// worth more.
+/// A first run, with the time that tells which points are worth more.
 fn screen(trial: &Trial, reference: &Reference, mesh: &Mesh) -> Result<(Point, f64)> {
     let mut point = Point::new(trial, reference);
-    let recorded = record(trial)?;
     let (run, seconds) = timed(trial);
     match run {
         Err(error) => {
@@ -124,18 +187,23 @@ fn screen(trial: &Trial, reference: &Reference, mesh: &Mesh) -> Result<(Point, f
             let positions = Samples::of(trial.case, &run);
             point.compare(&positions, reference, Some(mesh));
             point.time = Timing::of(&[seconds]);
-            if let (Some(errors), Some(recorded)) = (&mut point.errors, recorded) {
-                let samples = Samples::of(trial.case, &recorded);
-                errors.velocity = samples.velocity_difference(reference.solution());
-                errors.energy = energy_balance(&recorded);
-                errors.reaction = reaction_error(trial, &recorded)?;
-            }
         }
     }
     Ok((point, seconds))
 }
 
-/// The run that is not timed; `None` if it fails.
+/// Velocities, energies and reactions from a run that is not timed.
+fn complete(trial: &Trial, point: &mut Point, reference: &Reference) -> Result<()> {
+    if let (Some(errors), Some(recorded)) = (&mut point.errors, record(trial)?) {
+        let samples = Samples::of(trial.case, &recorded);
+        errors.velocity = samples.velocity_difference(reference.solution());
+        errors.energy = energy_balance(&recorded);
+        errors.reaction = reaction_error(trial, &recorded)?;
+    }
+    Ok(())
+}
+
+/// The run with everything that is recorded; `None` if it fails.
 fn record(trial: &Trial) -> Result<Option<Run>> {
     match run(&trial.scene(Record::Energies)?) {
         // Without the energies nobody notices: the point has an error in position, and a large one.
@@ -161,16 +229,21 @@ fn reaction_error(trial: &Trial, run: &Run) -> Result<Option<f64>> {
 }
 
 /// Times the points that no other of the same method makes useless.
-fn time_useful(tried: Vec<(Trial, Point)>) -> Result<Vec<Point>> {
-    let known: Vec<(f64, f64)> = tried.iter().filter_map(|(_, point)| point.bound().zip(point.seconds())).collect();
+fn time_useful(tried: Vec<(Trial, Point)>, reference: &Reference) -> Result<Vec<Point>> {
+    let numbers = |(trial, point): &(Trial, Point)| Some((trial.technique.method, point.bound()?, point.seconds()?));
+    let known: Vec<(Method, f64, f64)> = tried.iter().filter_map(numbers).collect();
     let mut points = Vec::new();
     for (trial, mut point) in tried {
         if let Some((bound, seconds)) = point.bound().zip(point.seconds()) {
-            if known.iter().any(|&(error, time)| error <= bound && time < OUTCLASSED * seconds) {
+            let betters = |&(method, error, time): &(Method, f64, f64)| {
+                method == trial.technique.method && error <= bound && time < OUTCLASSED * seconds
+            };
+            if known.iter().any(betters) {
                 if point.status == Status::Ok {
                     point.status = Status::Outclassed;
                 }
             } else {
+                complete(&trial, &mut point, reference)?;
                 point.time = Timing::of(&repeated(&trial)?);
             }
         }
