@@ -107,6 +107,7 @@
 /// The matrices and vectors of [`equations`] are its types.
 pub use nalgebra;
 
+pub mod conformance;
 pub mod counts;
 pub mod equations;
 pub mod error;
