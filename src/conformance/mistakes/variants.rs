@@ -368,6 +368,13 @@ fn parameters(quantity: &str, case: &Case, state: &ElementState) -> Vec<Candidat
         all.push(candidate(Kind::Missing, format!("{name} left out"), times(1.0 / value)));
         all.push(candidate(Kind::Factor, format!("{name} taken twice"), times(value)));
     }
+    if quantity.starts_with("3.") {
+        for i in 0..7 {
+            let entries = reference.numbers.iter().enumerate();
+            let numbers = entries.map(|(n, value)| if n % 7 == i { value / state.l } else { *value }).collect();
+            all.push(candidate(Kind::Missing, format!("in S_{} the factor l left out", i + 1), numbers));
+        }
+    }
     let exchanged = ElementState { h: state.w, w: state.h, ..state.clone() };
     all.extend(evaluate(quantity, &exchanged).map(|value| candidate(Kind::Other, "h and w exchanged", value)));
     let halved = ElementState { h: 2.0 * state.h, w: state.w / 2.0, ..state.clone() };
