@@ -70,7 +70,7 @@ def main():
             print(f"{verb:8} {seconds:6.1f} s  fixtures/{module.FILE}{note}", flush=True)
     if arguments.check and arguments.only is None:
         faults += schemas.faults()
-        print(f"schemas  {len(schemas.FILES)} files", flush=True)
+        print(f"checked  {len(schemas.FILES)} files against their schemas", flush=True)
     for fault in faults[:SHOWN]:
         print(fault, file=sys.stderr)
     if len(faults) > SHOWN:
