@@ -10,6 +10,8 @@ from math import hypot
 from ..tolerance import LEAST, RELATIVE, absolute, outer
 from . import ball
 
+LEFT = 1e-14  # of its terms, where a quantity is zero but for rounding
+
 GRADIENT = "the slopes' terms, |S_x| |e|, against the shortest |r_x| at the points"
 SHAPE = "the shape function's own terms at their largest over the element"
 ENERGY = f"those of epsilon and kappa: {GRADIENT}"
@@ -40,7 +42,7 @@ class Size:
         return Size(self.most + other.most, self.terms + other.terms)
 
     def __mul__(self, other):
-        both = RELATIVE * self.terms * other.terms  # what is left where both are zero but for rounding
+        both = LEFT * self.terms * other.terms  # what is left where both are zero but for rounding
         return Size(self.most * other.most, self.terms * other.most + self.most * other.terms + both)
 
 
