@@ -63,7 +63,7 @@ impl ElementState {
             if !(0.0..=self.l).contains(x) {
                 return refuse(&format!("points[{n}][0]"), *x, "0 ≤ x ≤ l");
             }
-            if !(2.0 * y.abs() <= self.h) {
+            if !(-self.h / 2.0..=self.h / 2.0).contains(y) {
                 return refuse(&format!("points[{n}][1]"), *y, "−h/2 ≤ y ≤ h/2");
             }
         }

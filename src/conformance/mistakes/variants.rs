@@ -61,10 +61,11 @@ fn printed(quantity: &str, case: &Case) -> Vec<Candidate> {
     let (lambda, mu, eps_T) = (law::lambda(state.E, state.nu), law::mu(state.E, state.nu), state.eps_T());
     let (K_1, K_2) = (force::K_1(&e, &eps_T, &element), force::K_2(&e, &eps_T, &element));
     let K_3 = force::K_3(&e, &eps_T, &element) - unit;
-    let sums: [(&str, fn(f64, f64, &Matrix14, &Matrix14, &Matrix14) -> Matrix14); 2] =
-        [("E2: −1 in K_3", force::K), ("E2 and E3: −1 in K_3, and 2μ K_3 for 4μ K_3", force::K_printed)];
-    for (what, sum) in sums {
-        let K = sum(lambda, mu, &K_1, &K_2, &K_3);
+    let sums = [
+        ("E2: −1 in K_3", force::K(lambda, mu, &K_1, &K_2, &K_3)),
+        ("E2 and E3: −1 in K_3, and 2μ K_3 for 4μ K_3", force::K_printed(lambda, mu, &K_1, &K_2, &K_3)),
+    ];
+    for (what, K) in sums {
         let value = match quantity {
             "21.K_3" => rows(&K_3),
             "20.K" => rows(&K),
