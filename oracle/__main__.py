@@ -6,10 +6,10 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 from importlib import import_module
 
-from . import fixture
+from . import fixture, schemas, versions
 from .proofs import PROOFS
 
-FIXTURES = ("equations", "cable", "pendulum", "structure", "continuum", "references")
+FIXTURES = ("equations", "cable", "pendulum", "structure", "continuum", "references", "invalid")
 # A page for people, asserted as it is made.
 PAGES = ("derivation",)
 # Needs a program that few have: derived when named, otherwise checked as far as its `check` goes.
@@ -40,9 +40,9 @@ def compare(module, fresh):
     try:
         stored = fixture.read(module.FILE)
         seal = stored.pop("sha256", None)
-        faults = module.differences(stored, fresh)
-        if seal != fixture.digest(stored):
-            faults.append("sha256: not that of the content, which was edited by hand")
+        faults = [] if seal == fixture.digest(stored) else ["sha256: not that of the content, which was edited by hand"]
+        faults += versions.faults(module.FILE, stored, fixture.render, fixture.FOLDER)
+        faults += module.differences(stored, fresh)
     except (OSError, ValueError) as error:
         faults = [f"cannot be read: {error}"]
     return [f"fixtures/{module.FILE}: {fault}" for fault in faults]
@@ -74,6 +74,9 @@ def main():
                 verb, note = "written", f", {size} bytes"
             place = module.NAME if name in PAGES else f"fixtures/{module.FILE}"
             print(f"{verb:8} {seconds:6.1f} s  {place}{note}", flush=True)
+    if arguments.check and arguments.only is None:
+        faults += schemas.faults()
+        print(f"checked  {len(schemas.FILES)} files against their schemas", flush=True)
     for fault in faults[:SHOWN]:
         print(fault, file=sys.stderr)
     if len(faults) > SHOWN:

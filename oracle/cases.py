@@ -6,7 +6,7 @@ from dataclasses import replace
 from flint import fmpq as Q
 from flint import fmpq_mat
 
-from . import equation23, fixture, scenes
+from . import equation23, fixture, scenes, tolerance
 from .constraint import constraints, values
 from .element import Element
 from .equation23 import Equation23, column, entries
@@ -17,19 +17,22 @@ from .states import DOWN_46, UP_53
 
 RUBBER = {"E": Q(2600), "nu": Q(3, 10), "rho": Q(1200), "alpha": Q(1, 2000)}
 
-# Shapes in n coordinates and c constraints.
+LARGEST = "the largest entry"
+SOLUTION = "the equations' terms through |A^-1|, A the matrix of (23), once for each of its rows"
+
+# Shapes in n coordinates and c constraints, and what the tolerance is a fraction of.
 QUANTITIES = {
-    "23.m": ("mass matrix", ["n", "n"], "kg; slopes kg m, kg m^2"),
-    "23.Q_e": ("elastic force with heat, which the paper writes k(dT) q", ["n"], "N; slopes N m"),
-    "23.f": ("weight and point forces", ["n"], "N; slopes N m"),
-    "23.Phi": ("constraint functions", ["c"], "m; clamps 1"),
-    "23.Phi_q": ("their derivative by q", ["c", "n"], "1"),
-    "23.constraint_force": ("Phi_q^T lambda with the given lambda", ["n"], "N; slopes N m"),
-    "23.residual": ("m q'' + Q_e + Phi_q^T lambda - f with the given q'' and lambda", ["n"], "N; slopes N m"),
-    "23.acceleration": ("q'' that solves (23) with Phi_q q'' = 0", ["n"], "m/s^2; slopes 1/s^2"),
-    "23.lambda": ("lambda of the same solution", ["c"], "N; clamps N m"),
-    "23.constraint_force/printed": ("Phi_q lambda (E4), for n = c only", ["n"], "N; slopes N m"),
-    "23.residual/printed": ("m q'' + Q_e + Phi_q lambda - f, for n = c only", ["n"], "N; slopes N m"),
+    "23.m": ("mass matrix", ["n", "n"], "kg; slopes kg m, kg m^2", LARGEST),
+    "23.Q_e": ("elastic force with heat, which the paper writes k(dT) q", ["n"], "N; slopes N m", LARGEST),
+    "23.f": ("weight and point forces", ["n"], "N; slopes N m", LARGEST),
+    "23.Phi": ("constraint functions", ["c"], "m; clamps 1", "1"),
+    "23.Phi_q": ("their derivative by q", ["c", "n"], "1", LARGEST),
+    "23.constraint_force": ("Phi_q^T lambda with the given lambda", ["n"], "N; slopes N m", "|Phi_q|^T |lambda|"),
+    "23.residual": ("m q'' + Q_e + Phi_q^T lambda - f with the given q'' and lambda", ["n"], "N; slopes N m", "the four terms, |m| |q''| and so on"),
+    "23.acceleration": ("q'' that solves (23) with Phi_q q'' = 0", ["n"], "m/s^2; slopes 1/s^2", SOLUTION),
+    "23.lambda": ("lambda of the same solution", ["c"], "N; clamps N m", SOLUTION),
+    "23.constraint_force/printed": ("Phi_q lambda (E4), for n = c only", ["n"], "N; slopes N m", "|Phi_q| |lambda|"),
+    "23.residual/printed": ("m q'' + Q_e + Phi_q lambda - f, for n = c only", ["n"], "N; slopes N m", "the four terms"),
 }
 
 
@@ -37,8 +40,8 @@ def descriptions():
     """What a reader of the fixture needs to know of each quantity."""
     return {
         id: {"equation": "23", "what": what, "shape": shape, "unit": unit,
-             "form": "printed" if id.endswith("/printed") else "consistent"}
-        for id, (what, shape, unit) in QUANTITIES.items()
+             "form": "printed" if id.endswith("/printed") else "consistent", "terms": terms}
+        for id, (what, shape, unit, terms) in QUANTITIES.items()
     }
 
 
@@ -153,8 +156,10 @@ def entry(id, what, described, given, equation, printed=False):
         wrong = equation.constraint_force_printed()
         assert all(a != b for a, b in zip(force, wrong)), "E4 must show in every entry"
         found |= {"23.constraint_force/printed": wrong, "23.residual/printed": equation.residual(wrong)}
+    sizes = sizes_of(equation, acceleration, multipliers, found)
     return {
         "id": id,
+        "tags": tags_of(id, described),
         "what": what,
         **described,
         "state": {name: fixture.each(fixture.nearest, value) for name, value in given.items()},
@@ -163,7 +168,67 @@ def entry(id, what, described, given, equation, printed=False):
             name: {
                 "exact": fixture.each(fixture.rational, value),
                 "f64": fixture.each(fixture.nearest, value),
+                "absolute": tolerance.absolute(sizes[name]),
+                "relative": tolerance.RELATIVE,
             }
             for name, value in found.items()
         },
     }
+
+
+TAGS = {
+    "pins": "rods pinned to one another, each at its own temperature",
+    "slide": "a point held across an inclined direction",
+    "fix": "a point held in both directions",
+    "clamp": "a section held in its direction",
+    "turned": "the whole structure turned from its initial place",
+    "square": "as many constraints as coordinates, so that the printed form (E4) has a value",
+}
+
+
+def tags_of(id, described):
+    """What is there to go wrong."""
+    supports = {key for support in described.get("scene", {}).get("supports", []) for key in support}
+    found = {"pins": "scene" in described, "turned": id.endswith("-turned"), "square": id == "square"}
+    return [tag for tag in TAGS if found.get(tag, tag in supports)]
+
+
+def sizes_of(equation, acceleration, multipliers, found):
+    """The size of the terms that are added up for each quantity, entry by entry."""
+    n, c = equation.m.nrows(), equation.Phi_q.nrows()
+
+    def absolute(rows):
+        return [[abs(entry) for entry in row] for row in rows]
+
+    def times(rows, vector):
+        return [sum((m * abs(v) for m, v in zip(row, vector)), Q(0)) for row in rows]
+
+    def plus(*vectors):
+        return [sum(map(abs, entries), Q(0)) for entries in zip(*vectors)]
+
+    def largest(name):
+        return max(map(abs, tolerance.flat(found[name])))
+
+    m, Phi_q = absolute(equation.m.tolist()), absolute(equation.Phi_q.tolist())
+    transposed = [list(column) for column in zip(*Phi_q)]
+    force = times(transposed, equation.multipliers)
+    others = plus(times(m, equation.q_ddot), equation.Q_e, equation.f)
+    # Rounding matrix and load of A x = b by one unit changes x by |A^-1| (|A| |x| + |b|); once in each elimination. What
+    # constraints hold at zero is rounded by what it would be without them.
+    load = plus(equation.Q_e, equation.f)
+    A = [row + column for row, column in zip(m, transposed)] + [row + [Q(0)] * c for row in Phi_q]
+    inverse = absolute(equation.matrix().inv().tolist())
+    solution = times(inverse, plus(times(A, [*acceleration, *multipliers]), load + [Q(0)] * c))
+    unconstrained = times(absolute(equation.m.inv().tolist()), load)
+    sizes = {
+        **{name: largest(name) for name in ("23.m", "23.Q_e", "23.f", "23.Phi_q")},
+        "23.Phi": Q(1),
+        "23.constraint_force": force,
+        "23.residual": plus(others, force),
+        "23.acceleration": [(n + c) * (a + b) for a, b in zip(solution, unconstrained)],
+        "23.lambda": [(n + c) * value for value in solution[n:]],
+    }
+    if n == c:
+        printed = times(Phi_q, equation.multipliers)
+        sizes |= {"23.constraint_force/printed": printed, "23.residual/printed": plus(others, printed)}
+    return {name: fixture.each(fixture.nearest, size) for name, size in sizes.items()}

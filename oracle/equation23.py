@@ -48,15 +48,20 @@ class Equation23:
         whether or not q satisfies them.
         """
         n, rows = self.m.nrows(), self.Phi_q.nrows()
+        right = [f - Q for f, Q in zip(self.f, self.Q_e)] + [ZERO] * rows
+        solution = entries(self.matrix().solve(column(right)))
+        return solution[:n], solution[n:]
+
+    def matrix(self):
+        """The matrix of (23): m, Phi_q^T beside it, Phi_q below."""
+        n, rows = self.m.nrows(), self.Phi_q.nrows()
         matrix = fmpq_mat(n + rows, n + rows)
         for i in range(n):
             for j in range(n):
                 matrix[i, j] = self.m[i, j]
             for k in range(rows):
                 matrix[i, n + k] = matrix[n + k, i] = self.Phi_q[k, i]
-        right = [f - Q for f, Q in zip(self.f, self.Q_e)] + [ZERO] * rows
-        solution = entries(matrix.solve(column(right)))
-        return solution[:n], solution[n:]
+        return matrix
 
 
 def of_scene(scene, t, q, q_ddot, multipliers):

@@ -5,7 +5,7 @@ from importlib.metadata import version
 
 import mpmath
 
-from . import fixture, sanity
+from . import fixture, sanity, tags, tolerance
 from .element import Element
 from .quantities import QUANTITIES, AtPoint
 from .states import states
@@ -33,8 +33,9 @@ CONVENTIONS = {
             "derivatives are those of 18.U; where the gradient is uniform over the element, axis.U and axis.Q_e are.",
     "printed": "as the paper prints it where it is wrong: E1 in A.3, E2 in 21.K_3, E3 in printed-shear, "
                "whose energy counts the shear strain once (2 mu for 4 mu); its K uses the consistent K_3.",
-    "tags": "rest, rigid and stress-free have U = 0 and Q_e = 0 exactly; slender is l/h = 1000; the others "
-            "say how the element is deformed.",
+    "tags": "each is explained under `tags`; what a state is there for comes first.",
+    "provenance": "every value is exact: derived in rational arithmetic from the field, the energy and the temperature.",
+    **tolerance.CONVENTIONS,
     "edits": "none by hand: the generator's command writes this file, and with --check compares it.",
 }
 
@@ -45,6 +46,7 @@ ALIASES = {"A.5": ["2.S", "3.S", "4.nodes"]}
 def generate():
     """The whole fixture, derived afresh."""
     sanity.demand_breadth(states())
+    found = [entry(state) for state in states()]
     return {
         "schema": "ancf-equations/1",
         "title": "Values of equations (1)-(22) and (A.1)-(A.5) for single elements",
@@ -58,7 +60,8 @@ def generate():
         "conventions": CONVENTIONS,
         "quantities": {id: description(id, quantity) for id, quantity in QUANTITIES.items()},
         "aliases": ALIASES,
-        "states": [entry(state) for state in states()],
+        "tags": tags.of_all(found),
+        "states": found,
     }
 
 
@@ -72,6 +75,7 @@ def description(id, quantity):
         "unit": quantity.unit,
         "per": quantity.per,
         "form": quantity.form,
+        "terms": tolerance.TERMS[id].what,
     }
 
 
@@ -84,10 +88,13 @@ def entry(state):
         for id, quantity in QUANTITIES.items()
     }
     sanity.demand(state, values)
+    allowed = tolerance.tolerances(state, values, element.mass.inv().tolist())
+    seen = {"shear": [strain[2] for strain in values["axis.epsilon"]],
+            "stretches": [J[0][0] * J[1][1] - J[0][1] * J[1][0] for J in values["9.J"]]}
     cosine, sine = map(fixture.rational, state.direction)
     return {
         "id": state.id,
-        "tags": list(state.tags),
+        "tags": tags.all_of(state, **seen),
         "what": state.what,
         "state": inputs(state, fixture.nearest, {"theta": nearest_angle(*state.direction)}),
         "exact": inputs(state, fixture.rational, {"cos_theta": cosine, "sin_theta": sine}),
@@ -95,6 +102,7 @@ def entry(state):
             id: {
                 "exact": fixture.each(fixture.rational, value),
                 "f64": fixture.each(fixture.nearest, value),
+                **allowed[id],
             }
             for id, value in values.items()
         },

@@ -7,6 +7,8 @@ from pathlib import Path
 import sympy
 from flint import fmpq
 
+from . import versions
+
 FOLDER = Path(__file__).resolve().parent.parent / "fixtures"
 
 
@@ -60,7 +62,8 @@ def digest(document):
 
 
 def write(name, document):
-    """Writes a fixture with its digest, whole or not at all; returns its size in bytes."""
+    """Writes a fixture with its version and its digest, whole or not at all; returns its size in bytes."""
+    document = versions.stamped(name, document)
     text = render({**document, "sha256": digest(document)}).encode()
     FOLDER.mkdir(exist_ok=True)
     unfinished = FOLDER / (name + ".unfinished")

@@ -21,6 +21,7 @@ TABLE_1 = {"E": Q(2 * 10**8), "nu": Q(0), "rho": Q(7750), "alpha": Q(57, 2 * 10*
 TABLE_2 = {"E": Q(7 * 10**10), "nu": Q(0), "rho": Q(2750), "alpha": Q(23, 10**6)}
 # Moduli for which lambda and mu are whole numbers.
 SOFT_30 = {"E": Q(2600), "nu": Q(3, 10), "rho": Q(1200), "alpha": Q(1, 2000)}
+NEARLY_50 = {"E": Q(14999 * 10**2), "nu": Q(4999, 10000), "rho": Q(1000), "alpha": Q(1, 4000)}
 STEEL_30 = {"E": Q(208 * 10**9), "nu": Q(3, 10), "rho": Q(7800), "alpha": Q(1, 80000)}
 RUBBER_49 = {"E": Q(149 * 10**4), "nu": Q(49, 100), "rho": Q(1000), "alpha": Q(1, 4000)}
 
@@ -166,7 +167,19 @@ def large():
     ]
 
 
+def near_singular():
+    """Divisors that are nearly zero: 1 - 2 nu, and the determinant of the deformation gradient."""
+    flat = straight(BACK_113, (Q(1, 4), 0), axial=Q(3, 2), thickness=Q(1, 512), slip=Q(1, 8))
+    return [
+        make("near-singular-incompressible-2d", "random", "nu = 0.4999: lambda is 5000 times mu; heated in the 2D model.",
+             STUBBY, UP_37, None, material=NEARLY_50, heat=("2d", 80), offset=scatter(57, 8, 32), seed=67,
+             at=[(Q(5, 16), Q(3, 8))]),
+        make("near-singular-flat-1d", "uniform", "Pressed to 1/512 of its height, sheared and turned, heated in the 1D model.",
+             BAR, UP_62, flat, material=SOFT_30, heat=("1d", 120), seed=68, at=[(Q(7, 16), Q(-3, 8))]),
+    ]
+
+
 @cache
 def states():
     """All states of the fixture, in its order."""
-    return undeformed() + stretched() + free_heat() + blocked_heat() + bent() + large()
+    return undeformed() + stretched() + free_heat() + blocked_heat() + bent() + near_singular() + large()

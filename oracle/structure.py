@@ -3,7 +3,7 @@
 import platform
 from importlib.metadata import version
 
-from . import cases, fixture, mechanism, trajectories
+from . import cases, fixture, mechanism, tolerance, trajectories
 
 FILE = "structure.json"
 TOOLS = ("numpy", "scipy", "sympy", "python-flint", "mpmath")
@@ -53,6 +53,7 @@ CONVENTIONS = {
              "at coinciding ends; b_1 held, a_1 slides on x = 0, F acts on a_1 in -y, no gravity; from rest "
              "at theta_0 (degrees). tip is a_(n+1), theta in rad, flat_at the time of theta = 0; samples end "
              "before it.",
+    **tolerance.CONVENTIONS,
     "edits": "never by hand: the command under generator writes this file, and with --check compares it.",
 }
 
@@ -70,6 +71,7 @@ def generate():
         },
         "conventions": CONVENTIONS,
         "quantities": cases.descriptions(),
+        "tags": cases.TAGS,
         "cases": cases.cases(),
         "trajectories": trajectories.generate(),
         "rigid": mechanism.generate(),

@@ -165,6 +165,38 @@ pub enum Error {
         /// What is wrong with it.
         reason: String,
     },
+    /// Fixtures that another program is to be compared with are not what this program expects.
+    #[error("the fixtures cannot be used: {file}: {reason}")]
+    Suite {
+        /// The file.
+        file: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A program that is to be tested cannot be started.
+    #[error("cannot start the command `{command}`: {source}; allowed: a program and its arguments behind `--`")]
+    Command {
+        /// Its name.
+        command: String,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// A program that is to be tested does not speak the protocol.
+    #[error(
+        "`{command}` did not answer hello: {reason}; it has to answer each line of JSON on its input with one on its output"
+    )]
+    NoHello {
+        /// The command.
+        command: String,
+        /// What came in place of the answer.
+        reason: String,
+    },
+    /// A program that was tested is wrong somewhere.
+    #[error("the program does not conform: {summary}")]
+    NotConforming {
+        /// What it has, and what fails.
+        summary: String,
+    },
     /// A picture could not be drawn.
     #[error("cannot draw \"{title}\": {reason}")]
     Picture {
@@ -206,6 +238,8 @@ impl Error {
             | Error::Drifts { .. }
             | Error::TooLarge { .. }
             | Error::Table { .. }
+            | Error::Suite { .. }
+            | Error::Command { .. }
             | Error::Read { .. } => 2,
             _ => 1,
         }

@@ -22,11 +22,13 @@
 //! temperature ΔT. A point of an element has coordinates x along the axis and y across it. The 14 nodal coordinates are
 //! e = \[rⁱ r_yⁱ rʲ r_xʲ r_yʲ rᵏ r_yᵏ\], (4).
 //!
-//! **Checking another implementation.** `fixtures/equations.json` has 32 element states and the exact value of every quantity of
+//! **Checking another implementation.** [`conformance`] asks any program for every value of the fixtures, and names the first equation
+//! that is wrong. `fixtures/equations.json` has 34 element states and the exact value of every quantity of
 //! [`equations::CONTENTS`] for each; [`state::ElementState`] reads a state, [`state::evaluate`] gives our value. `fixtures/cable.json`
 //! has 26 of the [`cable`](equations::cable) element, for [`state::CableState`] and [`state::evaluate_cable`].
 //! `fixtures/pendulum.json` has the pendulum's motion, `fixtures/continuum.json` that of a plane solid; `fixtures/structure.json`
-//! the terms of (23) for pinned rods, and their motion; `fixtures/references.json` solutions of statics and vibration.
+//! the terms of (23) for pinned rods, and their motion; `fixtures/references.json` solutions of statics and vibration. Each field is
+//! explained in `fixtures/README.md`.
 //!
 //! **Structures.** [`structure`] assembles rods that are pinned at their ends and middles; [`integrators`] move it and
 //! [`statics`] loads it, as it should be computed (pins as shared coordinates) or as (23) has it (with multipliers).
@@ -107,6 +109,7 @@
 /// The matrices and vectors of [`equations`] are its types.
 pub use nalgebra;
 
+pub mod conformance;
 pub mod counts;
 pub mod equations;
 pub mod error;

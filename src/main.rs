@@ -3,11 +3,16 @@
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::time::Duration;
 
+use ancf::conformance;
+use ancf::conformance::examine::{Options, examine};
+use ancf::conformance::suite::Suite;
 use ancf::error::{Error, Result};
 use ancf::report::{self, Files};
 use ancf::run::run_with_progress;
 use ancf::scene::{Scene, Scissors, ThermalModel, builtin_names, builtin_text};
+use ancf::state::ElementState;
 use ancf::study::{self, error_time};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
@@ -70,6 +75,29 @@ enum Command {
         scene: String,
         #[command(flatten)]
         scissors: ScissorsOptions,
+    },
+    /// Print the value of every equation for one element state.
+    Equations {
+        /// A file with the state, in the shape of those of fixtures/equations.json; or the name of one of these.
+        state: String,
+    },
+    /// Test another implementation: which equation is wrong, and what kind of mistake fits; writes conformance.json and
+    /// conformance.md.
+    Conform {
+        /// Folder with the reference values; those that this program was built with, if it is left out.
+        #[arg(long, value_name = "DIR")]
+        fixtures: Option<PathBuf>,
+        /// Time that one answer may take, s.
+        #[arg(long, value_name = "S", default_value = "10", value_parser = seconds)]
+        time_limit: Duration,
+        /// Never hand over intermediate values, also to a program that takes them.
+        #[arg(long)]
+        no_given: bool,
+        #[command(flatten)]
+        out: Out,
+        /// The program and its arguments; it answers lines of JSON with lines of JSON (fixtures/README.md).
+        #[arg(last = true, required = true, value_name = "COMMAND")]
+        command: Vec<String>,
     },
     /// List the built-in scenes.
     Scenes,
@@ -135,6 +163,11 @@ fn main() -> ExitCode {
             let options = error_time::Options { scenes: scenes.clone(), peers: peers.clone(), quick: *quick };
             error_time::study(&options, &out.folder, print)
         }
+        Some(Command::Equations { state }) => print_equations(state),
+        Some(Command::Conform { fixtures, time_limit, no_given, out, command }) => {
+            let options = Options { time_limit: *time_limit, given: !no_given };
+            conform(command, fixtures.as_deref(), options, &out.folder)
+        }
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
         Some(Command::Scenes) => list_scenes(),
         Some(Command::Scene { name, scissors }) => print_scene(name, scissors),
@@ -168,6 +201,41 @@ fn load(name: &str, options: &ScissorsOptions) -> Result<Scene> {
     match options.change(name)? {
         Some(scissors) => scissors.scene(),
         None => Scene::load(name),
+    }
+}
+
+/// Reads a time in seconds.
+fn seconds(text: &str) -> std::result::Result<Duration, String> {
+    let allowed = || "allowed: a number over 0 and up to 3600".to_string();
+    let seconds: f64 = text.parse().map_err(|_| allowed())?;
+    if seconds > 0.0 && seconds <= 3600.0 { Ok(Duration::from_secs_f64(seconds)) } else { Err(allowed()) }
+}
+
+/// `ancf equations`.
+fn print_equations(state: &str) -> Result<()> {
+    let state = ElementState::load(state)?;
+    print(&report::equations_text(&state))
+}
+
+/// `ancf conform`.
+fn conform(command: &[String], fixtures: Option<&Path>, options: Options, folder: &Path) -> Result<()> {
+    let suite = fixtures.map_or_else(Suite::embedded, Suite::load)?;
+    let mut files = Files::in_folder(folder)?;
+    let bar = ProgressBar::new(100);
+    let examination = examine(&suite, command, options, |share| bar.set_position((100.0 * share) as u64));
+    bar.finish_and_clear();
+    let examination = examination?;
+    let text = conformance::report::markdown(&suite, &examination);
+    let json = serde_json::to_string_pretty(&conformance::report::json(&suite, &examination)).unwrap_or_default();
+    files.write("conformance.json", |file| file.write_all(json.as_bytes()))?;
+    files.write("conformance.md", |file| file.write_all(text.as_bytes()))?;
+    let paths = files.publish()?;
+    let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
+    print(&format!("{text}\n{written}"))?;
+    if examination.passes() {
+        Ok(())
+    } else {
+        Err(Error::NotConforming { summary: conformance::report::summary(&examination) })
     }
 }
 

@@ -2,6 +2,7 @@
 //!
 //! Data files hold every digit, so that their numbers read back to the same `f64`; texts for people are rounded.
 
+mod equations;
 mod files;
 mod summary;
 
@@ -13,6 +14,7 @@ use crate::plan::{Part, Plan};
 use crate::run::{Run, Trajectory};
 use crate::scene::{ENERGY_COLUMNS, Method, Scene};
 
+pub use equations::equations_text;
 pub use files::Files;
 pub use summary::write_summary;
 

@@ -12,6 +12,7 @@ use nalgebra::{DMatrix, DVector, Dim, Matrix, RawStorage, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
 pub mod cable;
+mod load;
 
 pub use cable::{CableState, evaluate_cable};
 

@@ -78,6 +78,42 @@ fn equation_23_meets_the_oracle() {
     assert_eq!(printed, 2, "the square example has both printed values");
 }
 
+/// The tolerances that the fixtures publish for others are those of the tests here, times ten: two tables by two hands.
+#[test]
+fn published_tolerances_are_the_scales_of_these_tests() {
+    let equations = &*EQUATIONS;
+    let (of_elements, of_cables) = (&equations.json["states"], &cables()["states"]);
+    for (stored, case) in of_elements.as_array().unwrap().iter().zip(equations.cases()) {
+        for (quantity, value) in stored["values"].as_object().unwrap() {
+            assert_published(&format!("{} {quantity}", case.id), value, &scale(quantity, &case));
+        }
+    }
+    for (stored, case) in of_cables.as_array().unwrap().iter().zip(cases(&cables(), 20)) {
+        for (quantity, value) in stored["values"].as_object().unwrap() {
+            assert_published(&format!("{} {quantity}", case.id), value, &cable::scale(quantity, &case));
+        }
+    }
+    for case in systems()["cases"].as_array().unwrap() {
+        let terms = Terms::read(case);
+        for quantity in ["23.constraint_force", "23.residual", "23.acceleration", "23.lambda"] {
+            assert_published(&format!("{} {quantity}", terms.id), &case["values"][quantity], &terms.scale(quantity));
+        }
+    }
+}
+
+#[track_caller]
+fn assert_published(what: &str, value: &serde_json::Value, scale: &[f64]) {
+    let mut absolute = Vec::new();
+    common::flatten(&value["absolute"], &mut absolute);
+    let absolute = if absolute.len() == 1 { vec![absolute[0]; scale.len()] } else { absolute };
+    assert_eq!((absolute.len(), value["relative"].as_f64()), (scale.len(), Some(10.0 * TOLERANCE)), "{what}");
+    for (bound, size) in absolute.iter().zip(scale).filter(|(_, size)| **size > 1e-250) {
+        // Rounded up to two digits; inverses of matrices are rounded in ours.
+        let ratio = bound / (10.0 * TOLERANCE * size);
+        assert!((1.0 - 1e-6..1.11).contains(&ratio), "{what}: {bound:e} is {ratio} of the scale {size:e}");
+    }
+}
+
 #[test]
 fn every_numbered_equation_has_a_function_and_a_fixture() {
     let equations = &*EQUATIONS;

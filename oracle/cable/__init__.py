@@ -3,9 +3,10 @@
 import platform
 from importlib.metadata import version
 
-from .. import equations, fixture
+from .. import equations, fixture, tags
 from ..quantities import NODAL_FORCE, NODAL_LENGTH, NODAL_STIFFNESS, Quantity, point
-from . import ball, sanity
+from ..tolerance import CONVENTIONS as TOLERANCE
+from . import ball, sanity, tolerance
 from .element import DOF, EPSILON, KAPPA, Element
 from .states import states
 
@@ -27,8 +28,9 @@ CONVENTIONS = {
     "decimal": f"in place of exact where roots enter: {ball.DIGITS} significant digits as text, at most one unit of "
                "the last off, by ball arithmetic.",
     "f64": "each the f64 nearest to the exact number; theta the f64 nearest to the exact angle.",
-    "tags": "rest, rigid and stress-free have U = 0 and Q_e = 0 exactly; slender is l/h = 1000; the others say how "
-            "the element is deformed.",
+    "tags": "each is explained under `tags`; what a state is there for comes first.",
+    "provenance": "every value is exact where it is rational, and otherwise enclosed by ball arithmetic.",
+    **TOLERANCE,
     "edits": "none by hand: the generator's command writes this file, and with --check compares it.",
 }
 
@@ -69,8 +71,10 @@ QUANTITIES = {
 
 def generate():
     """The whole fixture, derived afresh."""
-    found = [values_of(Element(state)) for state in states()]
+    elements = [Element(state) for state in states()]
+    found = [values_of(element) for element in elements]
     sanity.demand_of_all(states(), found)
+    entries = [entry(*pair) for pair in zip(elements, found)]
     return {
         "schema": "ancf-cable/1",
         "title": "Values of the gradient-deficient cable element for single elements",
@@ -83,10 +87,12 @@ def generate():
         },
         "conventions": CONVENTIONS,
         "quantities": {
-            id: {"what": quantity.what, "shape": list(quantity.shape), "unit": quantity.unit, "per": quantity.per}
+            id: {"what": quantity.what, "shape": list(quantity.shape), "unit": quantity.unit, "per": quantity.per,
+                 "terms": tolerance.TERMS[id]}
             for id, quantity in QUANTITIES.items()
         },
-        "states": [entry(*pair) for pair in zip(states(), found)],
+        "tags": tags.of_all(entries),
+        "states": entries,
     }
 
 
@@ -101,17 +107,19 @@ def values_of(element):
     return values
 
 
-def entry(state, values):
+def entry(element, values):
     """One state as it is stored."""
+    state = element.state
+    allowed = tolerance.tolerances(state, values, element.mass.inv().tolist())
     cosine, sine = map(fixture.rational, state.direction)
     angle = equations.nearest_angle(*state.direction)
     return {
         "id": state.id,
-        "tags": list(state.tags),
+        "tags": tags.all_of(state),
         "what": state.what,
         "state": equations.inputs(state, fixture.nearest, {"theta": angle}),
         "exact": equations.inputs(state, fixture.rational, {"cos_theta": cosine, "sin_theta": sine}),
-        "values": {id: stored(value) for id, value in values.items()},
+        "values": {id: stored(value) | allowed[id] for id, value in values.items()},
     }
 
 

@@ -1,5 +1,6 @@
 //! Text → validated scene, and what serde has to say in the terms of a scene file.
 
+use serde::de::DeserializeOwned;
 use serde_json::error::Category;
 
 use super::locate::{line_and_column, quote, start_of, value_at};
@@ -43,6 +44,46 @@ impl Refusal {
         let file = place.map_or(file.to_string(), |(line, column)| format!("{file}:{line}:{column}"));
         Error::Scene { file, key: quote(&self.key), value: self.value, allowed: self.allowed }
     }
+}
+
+/// A value that is not allowed in a file other than a scene's.
+#[derive(Debug)]
+pub(crate) struct Refused {
+    /// Path of its key.
+    pub(crate) key: String,
+    /// The value, where it cannot be quoted from the file.
+    pub(crate) value: String,
+    /// What is allowed.
+    pub(crate) allowed: String,
+}
+
+impl Refused {
+    /// The error, with the value as it is written and its place in the file.
+    pub(crate) fn in_file(self, text: &str, file: &str) -> Error {
+        let value = start_of(text, &self.key).map(|at| value_at(text, at)).filter(|value| !value.starts_with('['));
+        let place = place_of(text, &self.key);
+        let refusal = Refusal { key: self.key, value: value.unwrap_or(self.value), allowed: self.allowed };
+        refusal.into_error(file, Some(place))
+    }
+}
+
+/// Reads the JSON of another file than a scene; `whole` is the word for all of it.
+///
+/// # Errors
+/// [`Error::Scene`] with the place in the file, the key, the value as it is written, and what is allowed.
+pub(crate) fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str) -> Result<T> {
+    let refused = |path: &str, error: &serde_json::Error| {
+        let (mut refusal, place) = explain(text, path, error);
+        if refusal.key == WHOLE {
+            refusal.key = whole.into();
+        }
+        refusal.into_error(file, Some(place))
+    };
+    let mut json = serde_json::Deserializer::from_str(text);
+    let read = serde_path_to_error::deserialize(&mut json)
+        .map_err(|error| refused(&error.path().to_string(), error.inner()))?;
+    json.end().map_err(|error| refused(".", &error))?;
+    Ok(read)
 }
 
 /// The known name that is most like `name`, whatever the case of its letters.
@@ -123,9 +164,12 @@ fn explain(text: &str, path: &str, error: &serde_json::Error) -> (Refusal, (usiz
     (Refusal { key: whole(&key), value, allowed }, place)
 }
 
+/// The word for the whole of a scene file.
+const WHOLE: &str = "scene";
+
 /// The key, or a word for the whole file.
 fn whole(key: &str) -> String {
-    if key.is_empty() { "scene".into() } else { key.into() }
+    if key.is_empty() { WHOLE.into() } else { key.into() }
 }
 
 /// The known names, and the one nearest to `name`.

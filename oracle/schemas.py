@@ -1,0 +1,53 @@
+"""The JSON Schemas of `fixtures/schema/`, and whether the files are what they say.
+
+Checked here and not by a Rust test: the oracle's environment exists for the fixtures, and a validator of schemas is nothing that
+the program needs.
+"""
+
+import json
+
+import jsonschema
+
+from . import fixture
+
+# Which files a schema is for.
+FILES = {
+    "equations.json": "equations",
+    "cable.json": "cable",
+    "structure.json": "structure",
+    "pendulum.json": "pendulum",
+    "references.json": "references",
+    "continuum.json": "continuum",
+    "calculix.json": "calculix",
+    "invalid.json": "invalid",
+    **{f"converged/{path.name}": "converged" for path in sorted((fixture.FOLDER / "converged").glob("*.json"))},
+}
+
+
+def schema(name):
+    """A schema, which has to be one itself."""
+    found = json.loads((fixture.FOLDER / "schema" / f"{name}.schema.json").read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(found)
+    return found
+
+
+def faults():
+    """Where a file is not what its schema says, and fixtures without a schema."""
+    there = {str(path.relative_to(fixture.FOLDER)) for path in fixture.FOLDER.glob("**/*.json")
+             if path.parent.name != "schema"}
+    found = [f"fixtures/{name}: no schema is named for it in oracle/schemas.py" for name in sorted(there - set(FILES))]
+    for name in FILES:
+        validator = jsonschema.Draft202012Validator(schema(FILES[name]))
+        for error in validator.iter_errors(json.loads((fixture.FOLDER / name).read_text(encoding="utf-8"))):
+            found.append(f"fixtures/{name}: {error.json_path}: {error.message:.120}")
+    found += [f"fixtures/schema/{name}: {error}" for name in ("report", "question", "answer") for error in unusable(name)]
+    return found
+
+
+def unusable(name):
+    """Why a schema that no fixture has, that of a report or of a line, is none."""
+    try:
+        schema(name)
+    except (OSError, ValueError, jsonschema.SchemaError) as error:
+        return [str(error)]
+    return []

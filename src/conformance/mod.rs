@@ -1,0 +1,22 @@
+//! **The kit for other implementations**: which equation of a program is wrong, and what kind of mistake it is.
+//!
+//! `ancf conform -- COMMAND…` starts any program in any language and asks it, line by line ([`protocol`]), for every quantity in
+//! every state of the fixtures ([`suite`]). Answers are compared entry by entry ([`verdict`]); what is wrong is followed along the
+//! equations that it is computed from ([`graph`]) to the first one that is wrong by itself ([`blame`]); and its answers are compared with
+//! what known mistakes would give ([`mistakes`]). [`report`] says all of it as text, Markdown and JSON.
+//!
+//! The feature `cli` adds what needs processes: `program` and `examine`.
+
+pub mod blame;
+pub mod graph;
+pub mod mistakes;
+pub mod protocol;
+pub mod suite;
+pub mod verdict;
+
+#[cfg(feature = "cli")]
+pub mod examine;
+#[cfg(feature = "cli")]
+pub mod program;
+#[cfg(feature = "cli")]
+pub mod report;

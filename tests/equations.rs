@@ -1,0 +1,84 @@
+//! `ancf equations`: every value of one state, and states that are refused.
+
+#![cfg(feature = "cli")]
+#![allow(non_snake_case)] // The paper's symbols are names here.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use ancf::conformance::suite::Suite;
+use ancf::equations::CONTENTS;
+use ancf::error::Error;
+use ancf::state::ElementState;
+use serde_json::{Value, json};
+
+fn ancf(folder: &Path, state: &str) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ancf")).args(["equations", state]).current_dir(folder).output().unwrap()
+}
+
+#[test]
+fn every_quantity_of_a_state_is_printed() {
+    let folder = tempfile::tempdir().unwrap();
+    let suite = Suite::embedded().unwrap();
+    let case = suite.cases.iter().find(|case| case.id == "bending-inclined-1d").unwrap();
+    fs::write(folder.path().join("mine.json"), case.state.to_string()).unwrap();
+    let output = ancf(folder.path(), "mine.json");
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    for entry in CONTENTS.iter().filter(|entry| !entry.is_of_a_structure() && !entry.is_of_a_cable()) {
+        assert!(text.contains(&format!("{}  {}", entry.quantity, entry.function)), "no {}", entry.quantity);
+    }
+    let U = case.values["18.U"].numbers[0];
+    assert!(text.contains(&format!("(18) 18.U  force::U  [corrected]\n  {:>17}\n", format!("{U:.9e}"))), "{text}");
+    // The name of a stored state does as well.
+    assert_eq!(String::from_utf8(ancf(folder.path(), "bending-inclined-1d").stdout).unwrap(), text);
+}
+
+#[test]
+fn what_no_element_can_be_is_refused_by_its_key() {
+    let suite = Suite::embedded().unwrap();
+    assert!(suite.invalid.len() >= 20);
+    for invalid in &suite.invalid {
+        let text = serde_json::to_string_pretty(&invalid.state).unwrap();
+        let Err(error) = ElementState::parse(&text, "state.json") else { panic!("{} is accepted", invalid.id) };
+        assert_eq!(error.exit_code(), 2);
+        let Error::Scene { key, .. } = &error else { panic!("{}: {error}", invalid.id) };
+        assert!(key.starts_with(&invalid.key), "{}: {error}", invalid.id);
+    }
+    for case in suite.cases.iter().filter(|case| case.state.get("l").is_some() && !case.id.starts_with("cable-")) {
+        ElementState::parse(&case.state.to_string(), &case.id).unwrap();
+    }
+}
+
+#[test]
+fn messages_name_file_place_key_value_and_what_is_allowed() {
+    let folder = tempfile::tempdir().unwrap();
+    let suite = Suite::embedded().unwrap();
+    let right = &suite.cases[0].state;
+    let with = |key: &str, value: Value| {
+        let mut state = right.clone();
+        state[key] = value;
+        serde_json::to_string_pretty(&state).unwrap()
+    };
+    for (text, part) in [
+        (with("nu", json!(0.5)), "`nu` is 0.5; allowed: a number over −1 and under 0.5"),
+        (with("h", json!(-0.02)), "`h` is -0.02; allowed: a finite number over 0"),
+        (with("height", json!(1)), "`height` is an unknown key (value 1); allowed: `l`, `h`"),
+        (with("e", json!([1, 2])), "`e` is [ 1, 2 ]; allowed: an array of length 14"),
+        (with("model", json!("3d")), "`model` is \"3d\"; allowed: `2d`, `1d`, `none`; nearest: `1d`"),
+        (with("theta", json!(0.25)), "`theta` is 0.25; allowed: the inclination of e0, rad"),
+        ("{\"l\": 1".into(), "state.json:1:"),
+        ("[]".into(), "`state`"),
+    ] {
+        fs::write(folder.path().join("state.json"), text).unwrap();
+        let output = ancf(folder.path(), "state.json");
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(part) && message.contains("state.json"), "no {part:?} in: {message}");
+        assert!(output.stdout.is_empty());
+    }
+    let output = ancf(folder.path(), "nowhere.json");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8(output.stderr).unwrap().contains("cannot read nowhere.json"));
+}
