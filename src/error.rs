@@ -116,6 +116,35 @@ pub enum Error {
         /// What forces, heat and weights have put in at most, J.
         supply: f64,
     },
+    /// Nothing is left of an element, or it has turned inside out.
+    #[error(
+        "element {element} of {elements} of the rod `{rod}` has collapsed at t = {time} (s; in statics the load factor): it is \
+         pressed to nothing, or inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, or the \
+         steps too long"
+    )]
+    Collapsed {
+        /// Name of the rod.
+        rod: String,
+        /// Number of the element, from 1.
+        element: usize,
+        /// Elements of the rod.
+        elements: usize,
+        /// Time, s; the load factor in statics.
+        time: f64,
+    },
+    /// Rounding errors are as large as what is computed.
+    #[error(
+        "at t = {time} (s; in statics the load factor) rounding errors of the elastic forces may be {share:.1e} of the {of}: the \
+         structure is too stiff, or too slender, for numbers of 16 digits; a smaller `E` or a higher section helps, or fewer elements"
+    )]
+    LostInRounding {
+        /// Time, s; the load factor in statics.
+        time: f64,
+        /// Rounding over what is computed.
+        share: f64,
+        /// What that is.
+        of: &'static str,
+    },
     /// An adaptive method has come to its shortest step.
     #[error(
         "at t = {time} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \

@@ -8,7 +8,7 @@ use ancf::error::{Error, Result};
 use ancf::report::{self, Files};
 use ancf::run::run_with_progress;
 use ancf::scene::{Scene, Scissors, ThermalModel, builtin_names, builtin_text};
-use ancf::study::{self, error_time};
+use ancf::study::{self, error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -63,6 +63,14 @@ enum Command {
         /// A coarse grid: of the flexible pendulum, if no scene is named.
         #[arg(long)]
         quick: bool,
+    },
+    /// Stiff and extreme cases in one table, each row right, refused or WRONG; writes stability.csv, .json, .svg and .html.
+    Stability {
+        /// Cases of the table; all of them if none is named.
+        #[arg(value_name = "CASE")]
+        cases: Vec<String>,
+        #[command(flatten)]
+        out: Out,
     },
     /// Say what is computed for a scene, what is left out, and why.
     Plan {
@@ -135,6 +143,7 @@ fn main() -> ExitCode {
             let options = error_time::Options { scenes: scenes.clone(), peers: peers.clone(), quick: *quick };
             error_time::study(&options, &out.folder, print)
         }
+        Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print),
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
         Some(Command::Scenes) => list_scenes(),
         Some(Command::Scene { name, scissors }) => print_scene(name, scissors),

@@ -86,7 +86,10 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        self.memory.increment.at_rounding(self.structure, &self.memory.thermal[1], times)
+        let Memory { increment, thermal: [thermal_0, thermal_1], .. } = &*self.memory;
+        // Stresses are averaged over both ends, and so are their rounding errors.
+        increment.at_rounding(self.structure, thermal_1, times)
+            || self.structure.within_rounding(&increment.value, &self.state.u, thermal_0, times)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {

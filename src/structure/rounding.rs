@@ -1,0 +1,45 @@
+//! What rounding errors of the elastic forces amount to.
+//!
+//! A strain carries ε_mach times the largest of |u|/l and of the slopes' changes ([`Structure::within_rounding`]), which a stiff rod
+//! makes a force. Where that is no longer small beside the loads a motion follows the rounding; in statics a slender rod turns it
+//! into a displacement.
+
+use nalgebra::DVector;
+
+use super::{Kind, Matrix, Structure};
+
+impl Structure {
+    /// The largest force that rounding of the strains at `u` may cause, N.
+    pub fn rounding_force(&self, u: &DVector<f64>) -> f64 {
+        let forces = self.rounding_forces(u, &[]);
+        let positions = forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
+        positions.map(|(force, _)| *force).fold(0.0, f64::max)
+    }
+
+    /// How far rounding of the strains may move an equilibrium, of how far it is from the start, or of what heat would stretch an
+    /// element; with signs that hardly repeat. `None` where nothing moves, or the tangent is singular.
+    pub fn rounding_of_equilibrium(&self, u: &DVector<f64>, t: f64) -> Option<f64> {
+        let (thermal, mut factors) = (self.thermal_strains(t), self.factors());
+        let tangent = Matrix::Tangent { u, thermal: &thermal, stiffness: 1.0, mass: 0.0 };
+        self.factorize(tangent, &mut factors).ok()?;
+        let heat: Vec<f64> = thermal.iter().flatten().copied().collect();
+        let mut moved = self.rounding_forces(u, &heat);
+        moved.iter_mut().enumerate().for_each(|(n, force)| *force *= (1.7 * n as f64 * n as f64).sin().signum());
+        factors.solve(&mut moved);
+        let hottest = heat.iter().map(|strain| strain.abs()).fold(0.0, f64::max);
+        let far = self.farthest(u).max(hottest * self.shortest);
+        (far > 0.0).then(|| self.farthest(&moved) / far)
+    }
+
+    /// ε_mach · the largest strain or thermal strain · the force of a unit strain, on each unknown.
+    fn rounding_forces(&self, u: &DVector<f64>, heat: &[f64]) -> DVector<f64> {
+        let size = |(u, kind): (&f64, &Kind)| match kind {
+            Kind::Position => u.abs() / self.shortest,
+            Kind::Slope(_) => u.abs(),
+            Kind::Multiplier => 0.0,
+        };
+        let heat = heat.iter().map(|strain| strain.abs()).fold(0.0, f64::max);
+        let size = u.iter().zip(&self.kinds).map(size).fold(heat, f64::max);
+        &self.unit_forces * (f64::EPSILON * size)
+    }
+}
