@@ -16,7 +16,10 @@ fn no_row_of_the_fast_subset_is_wrong() {
         assert!(!case.rows.is_empty(), "{name} has no row");
         // Every bound has its derivation.
         assert!(case.case.right.len() > 40 && !case.case.reference.is_empty(), "{name}");
-        assert!(case.rows.iter().all(|row| row.error.is_none() || !row.why.is_empty()), "{name}: a bound without a why");
+        assert!(
+            case.rows.iter().all(|row| row.error.is_none() || !row.why.is_empty()),
+            "{name}: a bound without a why"
+        );
     }
     let count = |verdict| study.rows().filter(|row| row.verdict == verdict).count();
     let [right, warned, refused] = [Verdict::Right, Verdict::Warned, Verdict::Refused].map(count);

@@ -13,8 +13,11 @@ const EXPLICIT_STEPS: usize = 10;
 /// Part of the loads, or of the displacement, from which rounding is warned of.
 const WARNED: f64 = 1e-4;
 
-/// Rounding of this part of them is refused.
+/// Rounding of this part of the loads is refused: step by step it acts like one.
 const LOST: f64 = 0.05;
+
+/// Rounding of this part of the displacement leaves no digit of it.
+const NO_DIGIT: f64 = 0.5;
 
 /// Watches the steps of a run.
 pub struct Watch {
@@ -66,7 +69,7 @@ impl Watch {
             return Ok(rounding_warning(self.share, "loads").into_iter().collect());
         }
         let share = structure.rounding_of_equilibrium(&state.u, state.t).unwrap_or(0.0);
-        if share > LOST {
+        if share > NO_DIGIT {
             return Err(Error::LostInRounding { time: state.t, share, of: "displacement" });
         }
         Ok(stability_warning(structure, state).into_iter().chain(rounding_warning(share, "displacement")).collect())

@@ -17,18 +17,23 @@ impl Structure {
     }
 
     /// How far rounding of the strains may move an equilibrium, of how far it is from the start, or of what heat would stretch an
-    /// element; with signs that hardly repeat. `None` where nothing moves, or the tangent is singular.
+    /// element; for errors of one sign, and of signs that hardly repeat. `None` where nothing moves, or the tangent is singular.
     pub fn rounding_of_equilibrium(&self, u: &DVector<f64>, t: f64) -> Option<f64> {
         let (thermal, mut factors) = (self.thermal_strains(t), self.factors());
         let tangent = Matrix::Tangent { u, thermal: &thermal, stiffness: 1.0, mass: 0.0 };
         self.factorize(tangent, &mut factors).ok()?;
         let heat: Vec<f64> = thermal.iter().flatten().copied().collect();
-        let mut moved = self.rounding_forces(u, &heat);
-        moved.iter_mut().enumerate().for_each(|(n, force)| *force *= (1.7 * n as f64 * n as f64).sin().signum());
-        factors.solve(&mut moved);
+        let errors = self.rounding_forces(u, &heat);
+        let moved = |sign: &dyn Fn(usize) -> f64| {
+            let mut moved = errors.map_with_location(|row, _, error| sign(row) * error);
+            factors.solve(&mut moved);
+            self.farthest(&moved)
+        };
+        // Elimination along a rod adds errors of one sign up, and those of changing signs act on what is short.
+        let farthest = moved(&|_| 1.0).max(moved(&|n| (1.7 * n as f64 * n as f64).sin().signum()));
         let hottest = heat.iter().map(|strain| strain.abs()).fold(0.0, f64::max);
         let far = self.farthest(u).max(hottest * self.shortest);
-        (far > 0.0).then(|| self.farthest(&moved) / far)
+        (far > 0.0).then(|| farthest / far)
     }
 
     /// ε_mach · the largest strain or thermal strain · the force of a unit strain, on each unknown.

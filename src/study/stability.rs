@@ -5,16 +5,22 @@
 
 mod bad;
 pub mod case;
+mod collapsed;
 mod far;
+mod fine;
 mod heat;
 mod inclined;
+mod joined;
+mod long;
 mod page;
 mod picture;
 mod poisson;
 pub mod rigid;
+mod rotation;
 pub mod row;
 mod singular;
 mod slender;
+mod step_size;
 mod stiff;
 mod text;
 mod tools;

@@ -3,7 +3,10 @@
 use serde::Serialize;
 
 use super::row::{Row, Verdict};
-use super::{bad, far, heat, inclined, poisson, singular, slender, stiff, units};
+use super::{
+    bad, collapsed, far, fine, heat, inclined, joined, long, poisson, rotation, singular, slender, step_size, stiff,
+    units,
+};
 use crate::counts::Counts;
 use crate::error::{Error, Result};
 
@@ -32,13 +35,21 @@ pub struct Case {
 pub const CASES: &[Case] = &[
     stiff::CASE,
     slender::CASE,
+    joined::CASE,
     heat::FREE,
     heat::CLAMPED,
     poisson::CASE,
+    rotation::SPUN,
+    rotation::CIRCLING,
     far::CASE,
     units::CASE,
+    step_size::CASE,
+    long::CASE,
+    fine::SMALL,
+    fine::LARGE,
     singular::CASE,
     bad::CASE,
+    collapsed::CASE,
     inclined::CASE,
 ];
 
@@ -88,7 +99,7 @@ pub enum Expected {
     Result,
     /// The same, or a refusal: the sweep goes on until there is one.
     ResultOrRefusal,
-    /// A refusal in which these words stand.
+    /// A refusal in which these words stand; a bar parts words of which one is enough.
     Refusal(&'static [&'static str]),
     /// A result within the bound, with a warning in which these words stand.
     Warning(&'static [&'static str]),
@@ -157,7 +168,7 @@ impl Trial {
             (Err(error), Expected::ResultOrRefusal) => (Verdict::Refused, error.to_string()),
             (Err(error), Expected::Refusal(words)) => {
                 let message = error.to_string();
-                match words.iter().find(|word| !message.contains(**word)) {
+                match words.iter().find(|word| !word.split('|').any(|word| message.contains(word))) {
                     None => (Verdict::Refused, message),
                     Some(word) => (Verdict::Wrong, format!("refused without \"{word}\": {message}")),
                 }

@@ -1,7 +1,7 @@
 //! Mechanisms that start in, or run through, positions where they are singular.
 
 use super::case::{Case, Expected, Finding, Trial};
-use super::tools::{Path, builtin, largest as largest_of, positions};
+use super::tools::{EPS, Path, builtin, largest as largest_of, positions};
 use crate::error::Result;
 use crate::run::run;
 use crate::scene::{Force, Method, Quantity, Scene, Scissors};
@@ -14,7 +14,7 @@ pub const CASE: Case = Case {
     reference: "the rigid mechanism: M(θ)θ'' + ½M'θ'² = −FL cos θ with M = Σ 2m[((k + ½)L sin θ)² + (½L cos θ)² + (L² + h²)/12], Runge and \
                 Kutta's method, steps of 1e-5 s",
     right: "stiff ones: outermost point within 2/9 of what a tenth of E changes (the distance from rigid goes as 1/E) and twice what half \
-            the step changes. Started flat the rigid mechanism has no single motion: all pins of one end are at one point, and each pair of \
+            the step changes, and the rounding EA ε_mach |u|/l beside the force of 50 N. Started flat the rigid mechanism has no single motion: all pins of one end are at one point, and each pair of \
             rods may turn about it. What an elastic one does there, and past its singular position, has no other reference than itself: the \
             balance at most 1e-8 of the energy put in, and beside it the distance from the run with half the step. Or refused by name.",
     trials,
@@ -111,10 +111,12 @@ fn beside_rigid(angle: f64, end: f64, factor: f64) -> Result<Finding> {
     let path = a4(&scene, &own);
     let model = 2.0 / 9.0 * largest(&path, &a4(&scene, &softer));
     let time = 2.0 * largest(&path, &a4(&scene, &finer));
+    // The force EA ε_mach |u|/l, |u| ≤ 4 m in elements of 1 m, beside the one of 50 N, over the way.
+    let rounding = EPS * 4.0 * scene.material.youngs_modulus * H * H / F * 2.0 * L;
     Ok(Finding {
         error: largest(&path, &rigid(angle, path.len())),
-        bound: model + time,
-        why: format!("flexible {model:.1e}, time {time:.1e}"),
+        bound: model + time + rounding,
+        why: format!("flexible {model:.1e}, time {time:.1e}, rounding {rounding:.1e}"),
         size: None,
         counts: own.counts,
         warnings: own.warnings,
