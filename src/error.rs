@@ -145,6 +145,27 @@ pub enum Error {
         /// What that is.
         of: &'static str,
     },
+    /// The estimated error of a run leaves no digit of it.
+    #[error(
+        "the positions are off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, of {moved:.1e} m that they move: \
+         no digit is right; a smaller `time.step` or `time.tolerance`, more `elements`, or a `history` for what comes suddenly help"
+    )]
+    Inaccurate {
+        /// The step's part, m.
+        time: f64,
+        /// The mesh's part, m.
+        space: f64,
+        /// The largest distance from where a point starts, m.
+        moved: f64,
+    },
+    /// A run from which an error would have been estimated failed.
+    #[error("the error cannot be estimated, as the run with {what} fails: {reason}")]
+    NoEstimate {
+        /// What is finer in it.
+        what: String,
+        /// Its error.
+        reason: String,
+    },
     /// An adaptive method has come to its shortest step.
     #[error(
         "at t = {time} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \

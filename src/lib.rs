@@ -110,6 +110,7 @@ pub use nalgebra;
 pub mod counts;
 pub mod equations;
 pub mod error;
+pub mod estimate;
 pub mod integrators;
 pub mod kernel;
 pub mod linear;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use ancf::error::{Error, Result};
+use ancf::estimate::run_estimated;
 use ancf::report::{self, Files};
 use ancf::run::run_with_progress;
 use ancf::scene::{Scene, Scissors, ThermalModel, builtin_names, builtin_text};
@@ -39,6 +40,9 @@ enum Command {
     Run {
         /// Name of a built-in scene, or path of a scene file.
         scene: String,
+        /// Estimate the errors in time and space by finer runs: some five times the work.
+        #[arg(long)]
+        estimate: bool,
         #[command(flatten)]
         out: Out,
         // Last, as the heading of its options holds for what follows.
@@ -137,7 +141,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let outcome = match &cli.command {
         None => study::main_job(&cli.out.folder, print),
-        Some(Command::Run { scene, out, scissors }) => run_scene(scene, scissors, &out.folder),
+        Some(Command::Run { scene, estimate, out, scissors }) => run_scene(scene, *estimate, scissors, &out.folder),
         Some(Command::ErrorTime { scenes, references: Some(folder), .. }) => write_references(scenes, folder),
         Some(Command::ErrorTime { scenes, out, peers, quick, .. }) => {
             let options = error_time::Options { scenes: scenes.clone(), peers: peers.clone(), quick: *quick };
@@ -159,12 +163,13 @@ fn main() -> ExitCode {
 }
 
 /// `ancf run`.
-fn run_scene(name: &str, options: &ScissorsOptions, folder: &Path) -> Result<()> {
+fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Path) -> Result<()> {
     let scene = load(name, options)?;
     // First, so that a folder that cannot be written is not found after the run.
     let files = Files::in_folder(folder)?;
     let bar = progress(scene.steps());
-    let run = run_with_progress(&scene, |step| bar.set_position(step as u64));
+    let on_step = |step| bar.set_position(step as u64);
+    let run = if estimate { run_estimated(&scene, on_step) } else { run_with_progress(&scene, on_step) };
     bar.finish_and_clear();
     let run = run?;
     let paths = report::write_run(files, &scene, &run)?;

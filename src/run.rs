@@ -10,6 +10,7 @@ use doubts::Watch;
 
 use crate::counts::Counts;
 use crate::error::{Error, Result};
+use crate::estimate::Accuracy;
 use crate::integrators::{self, Motion, State};
 use crate::kernel::ThermalStrain;
 use crate::plan::Plan;
@@ -44,6 +45,8 @@ pub struct Run {
     pub wall_seconds: f64,
     /// What a person should know before trusting the result.
     pub warnings: Vec<String>,
+    /// Estimated errors; those of [`run_estimated`](crate::estimate::run_estimated) only.
+    pub accuracy: Accuracy,
 }
 
 /// Runs a scene.
@@ -100,7 +103,8 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
     }
     let mut warnings = warnings(scene);
     warnings.extend(watch.end(scene, &structure, &state)?);
-    Ok(Run { trajectory: recorder.trajectory(), counts, wall_seconds: clock.elapsed().as_secs_f64(), warnings })
+    let (trajectory, wall_seconds) = (recorder.trajectory(), clock.elapsed().as_secs_f64());
+    Ok(Run { trajectory, counts, wall_seconds, warnings, accuracy: Accuracy::default() })
 }
 
 /// Steps per crossing of an element by the axial wave below which a heat shock is badly resolved. Measured on the

@@ -18,6 +18,7 @@ mod poisson;
 pub mod rigid;
 mod rotation;
 pub mod row;
+mod shock;
 mod singular;
 mod slender;
 mod step_size;

@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::row::{Row, Verdict};
 use super::{
-    bad, collapsed, far, fine, heat, inclined, joined, long, poisson, rotation, singular, slender, step_size, stiff,
-    units,
+    bad, collapsed, far, fine, heat, inclined, joined, long, poisson, rotation, shock, singular, slender, step_size,
+    stiff, units,
 };
 use crate::counts::Counts;
 use crate::error::{Error, Result};
@@ -38,6 +38,8 @@ pub const CASES: &[Case] = &[
     joined::CASE,
     heat::FREE,
     heat::CLAMPED,
+    shock::CASE,
+    shock::HINGE,
     poisson::CASE,
     rotation::SPUN,
     rotation::CIRCLING,
