@@ -94,10 +94,13 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
             if works {
                 recorder.work(&before, &state);
             }
-            watch.step(&structure, &state, state.t >= t && scene.is_row(step))?;
+            if state.t < t || !scene.is_row(step) {
+                watch.step(&structure, &state)?;
+            }
         }
         if scene.is_row(step) {
             recorder.record(&state, method.multipliers(), &mut counts)?;
+            watch.row(&structure, &state)?;
         }
         on_step(step);
     }

@@ -39,24 +39,33 @@ impl Watch {
         Watch { before: start.clone(), every, left: every, loads, share: 0.0 }
     }
 
-    /// Looks at the state after a step; `asked`, if it is an output row.
+    /// Looks at the state after a step, where it is time to.
+    ///
+    /// # Errors
+    /// [`Error::Collapsed`].
+    pub fn step(&mut self, structure: &Structure, state: &State) -> Result<()> {
+        self.left -= 1;
+        if self.left == 0 { self.look(structure, state) } else { Ok(()) }
+    }
+
+    /// Looks at the state of an output row.
     ///
     /// # Errors
     /// [`Error::Collapsed`], [`Error::LostInRounding`].
-    pub fn step(&mut self, structure: &Structure, state: &State, asked: bool) -> Result<()> {
-        self.left -= 1;
-        if self.left > 0 && !asked {
-            return Ok(());
+    pub fn row(&mut self, structure: &Structure, state: &State) -> Result<()> {
+        self.look(structure, state)?;
+        let Some(loads) = self.loads else { return Ok(()) };
+        self.share = self.share.max(structure.rounding_force(&state.u) / loads);
+        if self.share > LOST {
+            return Err(Error::LostInRounding { time: state.t, share: self.share, of: "loads" });
         }
+        Ok(())
+    }
+
+    fn look(&mut self, structure: &Structure, state: &State) -> Result<()> {
         self.left = self.every;
         structure.check_collapse(&self.before, &state.u, state.t)?;
         self.before.copy_from(&state.u);
-        if let (Some(loads), true) = (self.loads, asked) {
-            self.share = self.share.max(structure.rounding_force(&state.u) / loads);
-            if self.share > LOST {
-                return Err(Error::LostInRounding { time: state.t, share: self.share, of: "loads" });
-            }
-        }
         Ok(())
     }
 

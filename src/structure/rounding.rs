@@ -11,9 +11,8 @@ use super::{Kind, Matrix, Structure};
 impl Structure {
     /// The largest force that rounding of the strains at `u` may cause, N.
     pub fn rounding_force(&self, u: &DVector<f64>) -> f64 {
-        let forces = self.rounding_forces(u, &[]);
-        let positions = forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
-        positions.map(|(force, _)| *force).fold(0.0, f64::max)
+        let positions = self.unit_forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
+        positions.map(|(force, _)| *force).fold(0.0, f64::max) * self.rounding_strain(u, 0.0)
     }
 
     /// How far rounding of the strains may move an equilibrium, of how far it is from the start, or of what heat would stretch an
@@ -22,8 +21,8 @@ impl Structure {
         let (thermal, mut factors) = (self.thermal_strains(t), self.factors());
         let tangent = Matrix::Tangent { u, thermal: &thermal, stiffness: 1.0, mass: 0.0 };
         self.factorize(tangent, &mut factors).ok()?;
-        let heat: Vec<f64> = thermal.iter().flatten().copied().collect();
-        let errors = self.rounding_forces(u, &heat);
+        let hottest = thermal.iter().flatten().map(|strain| strain.abs()).fold(0.0, f64::max);
+        let errors = &self.unit_forces * self.rounding_strain(u, hottest);
         let moved = |sign: &dyn Fn(usize) -> f64| {
             let mut moved = errors.map_with_location(|row, _, error| sign(row) * error);
             factors.solve(&mut moved);
@@ -31,20 +30,17 @@ impl Structure {
         };
         // Elimination along a rod adds errors of one sign up, and those of changing signs act on what is short.
         let farthest = moved(&|_| 1.0).max(moved(&|n| (1.7 * n as f64 * n as f64).sin().signum()));
-        let hottest = heat.iter().map(|strain| strain.abs()).fold(0.0, f64::max);
         let far = self.farthest(u).max(hottest * self.shortest);
         (far > 0.0).then(|| farthest / far)
     }
 
-    /// ε_mach · the largest strain or thermal strain · the force of a unit strain, on each unknown.
-    fn rounding_forces(&self, u: &DVector<f64>, heat: &[f64]) -> DVector<f64> {
+    /// ε_mach times the largest of |u|/l, of the slopes' changes and of the thermal strain `hottest`.
+    fn rounding_strain(&self, u: &DVector<f64>, hottest: f64) -> f64 {
         let size = |(u, kind): (&f64, &Kind)| match kind {
             Kind::Position => u.abs() / self.shortest,
             Kind::Slope(_) => u.abs(),
             Kind::Multiplier => 0.0,
         };
-        let heat = heat.iter().map(|strain| strain.abs()).fold(0.0, f64::max);
-        let size = u.iter().zip(&self.kinds).map(size).fold(heat, f64::max);
-        &self.unit_forces * (f64::EPSILON * size)
+        f64::EPSILON * u.iter().zip(&self.kinds).map(size).fold(hottest, f64::max)
     }
 }

@@ -9,6 +9,7 @@ mod collapsed;
 mod far;
 mod fine;
 mod heat;
+mod honest;
 mod inclined;
 mod joined;
 mod long;

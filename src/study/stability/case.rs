@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::row::{Row, Verdict};
 use super::{
-    bad, collapsed, far, fine, heat, inclined, joined, long, poisson, rotation, shock, singular, slender, step_size,
-    stiff, units,
+    bad, collapsed, far, fine, heat, honest, inclined, joined, long, poisson, rotation, shock, singular, slender,
+    step_size, stiff, units,
 };
 use crate::counts::Counts;
 use crate::error::{Error, Result};
@@ -40,6 +40,7 @@ pub const CASES: &[Case] = &[
     heat::CLAMPED,
     shock::CASE,
     shock::HINGE,
+    honest::CASE,
     poisson::CASE,
     rotation::SPUN,
     rotation::CIRCLING,
