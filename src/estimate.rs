@@ -1,6 +1,6 @@
 //! How far a run may be from the solution of its equations: in time and in space.
 //!
-//! The run is made again with half the step (or a tenth of the tolerance, or twice the load steps), and with twice the elements. What
+//! The run is made again with half the step (adaptive: of the longest, and a tenth of the tolerance; in statics twice the load steps), and with twice the elements. What
 //! that changes of the positions is most of the error where it falls fast, and half of it where it only halves: an estimate is twice
 //! the change. Neither a kept energy nor the sum of an adaptive method's local errors says as much: the first knows nothing of
 //! places, and the second nothing of how errors grow or cancel on their way.
@@ -114,14 +114,16 @@ fn finer_in_time(scene: &Scene) -> (Scene, String) {
             finer.time.load_steps *= 2;
             "twice the load steps"
         }
-        method if method.is_adaptive() => {
-            finer.time.tolerance /= 10.0;
-            "a tenth of the tolerance"
-        }
-        _ => {
+        method => {
             finer.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
             finer.time.step /= 2.0;
-            "half the step"
+            if method.is_adaptive() {
+                finer.time.tolerance /= 10.0;
+                // Where the tolerance asks for less than the longest step it is the step that decides.
+                "a tenth of the tolerance and half the longest step"
+            } else {
+                "half the step"
+            }
         }
     };
     (finer, how.into())

@@ -335,6 +335,8 @@ fn finer(scene: &Scene) -> Option<Run> {
     fine.time.load_steps *= every;
     if scene.time.method.is_adaptive() {
         fine.time.tolerance /= 1000.0;
+        fine.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
+        fine.time.step /= 8.0;
     } else if scene.time.method != Method::Static {
         fine.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
         // Bending of Euler–Bernoulli elements a quarter as long is sixteen times as fast.
