@@ -10,8 +10,11 @@ use crate::structure::Structure;
 /// Explicit steps are much cheaper than a look at every element, and too short for one to collapse unseen between ten.
 const EXPLICIT_STEPS: usize = 10;
 
-/// Part of the loads, or of the displacement, from which rounding is warned of.
+/// Part of the loads from which rounding is warned of.
 const WARNED: f64 = 1e-4;
+
+/// Part of the displacement from which it is: an estimate for errors of one sign, which mostly have both.
+const WARNED_IN_STATICS: f64 = 1e-3;
 
 /// Rounding of this part of the loads is refused: step by step it acts like one.
 const LOST: f64 = 0.05;
@@ -75,13 +78,16 @@ impl Watch {
     /// [`Error::LostInRounding`].
     pub fn end(self, scene: &Scene, structure: &Structure, state: &State) -> Result<Vec<String>> {
         if scene.time.method != Method::Static {
-            return Ok(rounding_warning(self.share, "loads").into_iter().collect());
+            return Ok(rounding_warning(self.share, WARNED, "loads").into_iter().collect());
         }
         let share = structure.rounding_of_equilibrium(&state.u, state.t).unwrap_or(0.0);
         if share > NO_DIGIT {
             return Err(Error::LostInRounding { time: state.t, share, of: "displacement" });
         }
-        Ok(stability_warning(structure, state).into_iter().chain(rounding_warning(share, "displacement")).collect())
+        Ok(stability_warning(structure, state)
+            .into_iter()
+            .chain(rounding_warning(share, WARNED_IN_STATICS, "displacement"))
+            .collect())
     }
 }
 
@@ -111,8 +117,8 @@ fn loads(scene: &Scene) -> f64 {
     of_rods.chain(of_forces).sum()
 }
 
-fn rounding_warning(share: f64, of: &str) -> Option<String> {
-    (share > WARNED).then(|| {
+fn rounding_warning(share: f64, warned: f64, of: &str) -> Option<String> {
+    (share > warned).then(|| {
         format!(
             "rounding errors of the elastic forces may be as much as {share:.0e} of the {of}: the structure is so stiff, or so \
              slender, that few digits are left"

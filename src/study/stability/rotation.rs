@@ -162,7 +162,7 @@ fn circling() -> Result<Vec<Trial>> {
         (Method::GeneralizedAlpha, Element::Ancf),
         (Method::Gauss, Element::Ancf),
     ] {
-        for omega in [8.0, 9.0, 20.0, 100.0, 1000.0, 10000.0] {
+        for omega in [8.0, 9.0, 20.0, 100.0, 1000.0] {
             let trial = Trial::new(format!("{method}, {element}"), omega, move || circle(method, element, omega));
             // Collocation is not meant for rods as stiff as this.
             let expected = if method == Method::Gauss { Expected::ResultOrRefusal } else { Expected::Result };
