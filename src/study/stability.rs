@@ -1,6 +1,6 @@
 //! `ancf stability`: stiff and extreme cases in one table, each row right, refused with a reason, or WRONG.
 //!
-//! A [`Case`](case::Case) sweeps one parameter until the method breaks. Its reference is a closed form or a fixture of the oracle, its
+//! A [`Case`] sweeps one parameter until the method breaks. Its reference is a closed form or a fixture of the oracle, its
 //! bound is derived where the case is written, in words that stand beside each row. A kept energy balance alone makes no row right.
 
 mod bad;
