@@ -116,6 +116,56 @@ pub enum Error {
         /// What forces, heat and weights have put in at most, J.
         supply: f64,
     },
+    /// Nothing is left of an element, or it has turned inside out.
+    #[error(
+        "element {element} of {elements} of the rod `{rod}` has collapsed at t = {time} (s; in statics the load factor): it is \
+         pressed to nothing, or inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, or the \
+         steps too long"
+    )]
+    Collapsed {
+        /// Name of the rod.
+        rod: String,
+        /// Number of the element, from 1.
+        element: usize,
+        /// Elements of the rod.
+        elements: usize,
+        /// Time, s; the load factor in statics.
+        time: f64,
+    },
+    /// Rounding errors are as large as what is computed.
+    #[error(
+        "at t = {time} (s; in statics the load factor) rounding errors of the elastic forces may be {share:.1e} of the {of}: the \
+         structure is too stiff, or too slender, for numbers of 16 digits; a smaller `E` or a higher section helps, or fewer elements"
+    )]
+    LostInRounding {
+        /// Time, s; the load factor in statics.
+        time: f64,
+        /// Rounding over what is computed.
+        share: f64,
+        /// What that is.
+        of: &'static str,
+    },
+    /// The estimated error of a run leaves no digit of it.
+    #[error(
+        "the positions are off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, of {moved:.1e} m that they move: \
+         no digit is right; a smaller `time.step` or `time.tolerance`, more `elements`, or a `history` for what comes suddenly help"
+    )]
+    Inaccurate {
+        /// The step's part, m.
+        time: f64,
+        /// The mesh's part, m.
+        space: f64,
+        /// The largest distance from where a point starts, m.
+        moved: f64,
+    },
+    /// A run from which an error would have been estimated failed.
+    #[error("the error cannot be estimated, as the run with {what} fails: {reason}")]
+    NoEstimate {
+        /// What is finer in it.
+        what: String,
+        /// Its error.
+        reason: String,
+    },
     /// An adaptive method has come to its shortest step.
     #[error(
         "at t = {time} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \

@@ -57,6 +57,10 @@ pub trait Beam<const N: usize> {
     /// Displacement of the axis at a fraction of the length, m.
     fn axis(fraction: f64, u: &SVector<f64, N>, l: f64) -> Vector2<f64>;
 
+    /// What is left of the volume at the quadrature point where that is least, of what was there at first: det J. Not over 0, or not a
+    /// number, where the element has collapsed. `before` is a displacement from which `u` was reached in few steps.
+    fn left(&self, before: &SVector<f64, N>, u: &SVector<f64, N>) -> f64;
+
     /// Strain energy, J.
     fn energy(&self, u: &SVector<f64, N>, eps_T: ThermalStrain) -> f64;
 

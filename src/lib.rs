@@ -113,6 +113,7 @@ pub mod conformance;
 pub mod counts;
 pub mod equations;
 pub mod error;
+pub mod estimate;
 pub mod integrators;
 pub mod kernel;
 pub mod linear;

@@ -9,11 +9,12 @@ use ancf::conformance;
 use ancf::conformance::examine::{Options, examine};
 use ancf::conformance::suite::Suite;
 use ancf::error::{Error, Result};
+use ancf::estimate::run_estimated;
 use ancf::report::{self, Files};
 use ancf::run::run_with_progress;
 use ancf::scene::{Scene, Scissors, ThermalModel, builtin_names, builtin_text};
 use ancf::state::ElementState;
-use ancf::study::{self, error_time};
+use ancf::study::{self, error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -44,6 +45,9 @@ enum Command {
     Run {
         /// Name of a built-in scene, or path of a scene file.
         scene: String,
+        /// Estimate the errors in time and space by finer runs: some five times the work.
+        #[arg(long)]
+        estimate: bool,
         #[command(flatten)]
         out: Out,
         // Last, as the heading of its options holds for what follows.
@@ -68,6 +72,14 @@ enum Command {
         /// A coarse grid: of the flexible pendulum, if no scene is named.
         #[arg(long)]
         quick: bool,
+    },
+    /// Stiff and extreme cases in one table, each row right, refused or WRONG; writes stability.csv, .json, .svg and .html.
+    Stability {
+        /// Cases of the table; all of them if none is named.
+        #[arg(value_name = "CASE")]
+        cases: Vec<String>,
+        #[command(flatten)]
+        out: Out,
     },
     /// Say what is computed for a scene, what is left out, and why.
     Plan {
@@ -157,7 +169,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let outcome = match &cli.command {
         None => study::main_job(&cli.out.folder, print),
-        Some(Command::Run { scene, out, scissors }) => run_scene(scene, scissors, &out.folder),
+        Some(Command::Run { scene, estimate, out, scissors }) => run_scene(scene, *estimate, scissors, &out.folder),
         Some(Command::ErrorTime { scenes, references: Some(folder), .. }) => write_references(scenes, folder),
         Some(Command::ErrorTime { scenes, out, peers, quick, .. }) => {
             let options = error_time::Options { scenes: scenes.clone(), peers: peers.clone(), quick: *quick };
@@ -168,6 +180,7 @@ fn main() -> ExitCode {
             let options = Options { time_limit: *time_limit, given: !no_given };
             conform(command, fixtures.as_deref(), options, &out.folder)
         }
+        Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print),
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
         Some(Command::Scenes) => list_scenes(),
         Some(Command::Scene { name, scissors }) => print_scene(name, scissors),
@@ -183,12 +196,13 @@ fn main() -> ExitCode {
 }
 
 /// `ancf run`.
-fn run_scene(name: &str, options: &ScissorsOptions, folder: &Path) -> Result<()> {
+fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Path) -> Result<()> {
     let scene = load(name, options)?;
     // First, so that a folder that cannot be written is not found after the run.
     let files = Files::in_folder(folder)?;
     let bar = progress(scene.steps());
-    let run = run_with_progress(&scene, |step| bar.set_position(step as u64));
+    let on_step = |step| bar.set_position(step as u64);
+    let run = if estimate { run_estimated(&scene, on_step) } else { run_with_progress(&scene, on_step) };
     bar.finish_and_clear();
     let run = run?;
     let paths = report::write_run(files, &scene, &run)?;

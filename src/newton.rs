@@ -21,6 +21,9 @@ const WORTH: f64 = 3.0;
 /// Steps that begin with a new matrix after one of an earlier step did harm.
 const DISTRUST: usize = 10;
 
+/// An iteration that leaves more than this of the residual has done what it can.
+const STUCK: f64 = 0.25;
+
 /// How many times the rounding error of one force a residual of several may be.
 const ROUNDINGS: f64 = 8.0;
 
@@ -54,12 +57,12 @@ pub trait Equations {
     fn undo(&mut self);
 }
 
-/// The unknown of a step, an increment of the displacement, with what an iteration needs beside it.
+/// The unknown of a step, what is added to a displacement that is known before, with what an iteration needs beside it.
 #[derive(Debug)]
 pub struct Increment {
     /// The unknown, with multipliers in their places.
     pub du: DVector<f64>,
-    /// The displacement at the step's start with it.
+    /// The known displacement with it.
     pub u: DVector<f64>,
     /// What should vanish.
     pub value: DVector<f64>,
@@ -76,7 +79,7 @@ impl Increment {
         Increment { du: zeros(), u: zeros(), value: zeros(), improvement: zeros(), factors: structure.factors() }
     }
 
-    /// Moves `u` to the increment from `u_0`.
+    /// Moves `u` to the increment from the known displacement `u_0`.
     pub fn move_from(&mut self, u_0: &DVector<f64>) {
         self.u.copy_from(u_0);
         self.u += &self.du;
@@ -163,7 +166,9 @@ impl Newton {
             let Residual { size, largest_term } = equations.residual(counts);
             let finite = size.is_finite() && largest_term.is_finite();
             let goal = self.tolerance * largest_term;
-            if finite && (size <= goal || (iterations > 0 && equations.at_rounding(ROUNDINGS))) {
+            // A residual at rounding is not the end as long as iterations reduce it: that of a fine mesh may hide all of a bent shape.
+            let stuck = last.is_some_and(|last| size >= STUCK * last);
+            if finite && (size <= goal || (stuck && equations.at_rounding(ROUNDINGS))) {
                 return Ok(());
             }
             if let Some(last) = last.take() {

@@ -67,6 +67,11 @@ pub fn run_text(scene: &Scene, run: &Run) -> String {
             "largest energy imbalance {value:.1e} J{input} (a small one says nothing of the accuracy in time and space)"
         ));
     }
+    for (of, estimate) in [("step", &run.accuracy.time), ("mesh", &run.accuracy.space)] {
+        if let Some(estimate) = estimate {
+            lines.push(format!("estimated error of the {of} {:.1e} m ({})", estimate.value, estimate.method));
+        }
+    }
     lines.extend(run.warnings.iter().map(|warning| format!("warning: {warning}")));
     lines.retain(|line| !line.is_empty());
     lines.join("\n") + "\n"
@@ -128,6 +133,7 @@ fn unit(column: &str) -> &'static str {
 mod tests {
     use super::*;
     use crate::counts::Counts;
+    use crate::estimate::Accuracy;
 
     /// Numbers whose shortest decimal form is easy to get wrong.
     pub(super) const AWKWARD: [f64; 6] = [0.1, -1.0 / 3.0, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0];
@@ -147,7 +153,8 @@ mod tests {
             factorizations: 5,
             solves: 6,
         };
-        (scene, Run { trajectory, counts, wall_seconds: 0.25, warnings: vec!["mind the gap".into()] })
+        let (warnings, accuracy) = (vec!["mind the gap".into()], Accuracy::default());
+        (scene, Run { trajectory, counts, wall_seconds: 0.25, warnings, accuracy })
     }
 
     #[test]

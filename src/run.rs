@@ -1,11 +1,16 @@
 //! One scene from start to end.
 
+mod doubts;
+
 use std::time::Instant;
 
 use nalgebra::DVector;
 
+use doubts::Watch;
+
 use crate::counts::Counts;
 use crate::error::{Error, Result};
+use crate::estimate::Accuracy;
 use crate::integrators::{self, Motion, State};
 use crate::kernel::ThermalStrain;
 use crate::plan::Plan;
@@ -40,6 +45,8 @@ pub struct Run {
     pub wall_seconds: f64,
     /// What a person should know before trusting the result.
     pub warnings: Vec<String>,
+    /// Estimated errors; those of [`run_estimated`](crate::estimate::run_estimated) only.
+    pub accuracy: Accuracy,
 }
 
 /// Runs a scene.
@@ -74,6 +81,7 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
     let mut recorder = Recorder::new(scene, plan, &structure, &state, &mut counts)?;
 
     recorder.record(&state, method.multipliers(), &mut counts)?;
+    let mut watch = Watch::new(scene, &state.u);
     // Nothing in this loop asks for memory.
     for step in 1..=scene.steps() {
         let t = scene.time_after(step);
@@ -89,18 +97,20 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
                     None => recorder.work(&before, &state),
                 }
             }
+            if state.t < t || !scene.is_row(step) {
+                watch.step(&structure, &state)?;
+            }
         }
         if scene.is_row(step) {
             recorder.record(&state, method.multipliers(), &mut counts)?;
+            watch.row(&structure, &state)?;
         }
         on_step(step);
     }
-    Ok(Run {
-        trajectory: recorder.trajectory(),
-        counts,
-        wall_seconds: clock.elapsed().as_secs_f64(),
-        warnings: warnings(scene),
-    })
+    let mut warnings = warnings(scene);
+    warnings.extend(watch.end(scene, &structure, &state)?);
+    let (trajectory, wall_seconds) = (recorder.trajectory(), clock.elapsed().as_secs_f64());
+    Ok(Run { trajectory, counts, wall_seconds, warnings, accuracy: Accuracy::default() })
 }
 
 /// Steps per crossing of an element by the axial wave below which a heat shock is badly resolved. Measured on the
@@ -170,6 +180,8 @@ struct Recorder<'a> {
 /// The energy that was there at the start and what has been put in since, J.
 struct Energy {
     start: f64,
+    /// The kinetic part of it.
+    kinetic: f64,
     input: f64,
     /// The most that forces, heat and the fall of weights have put in so far.
     supply: f64,
@@ -185,11 +197,12 @@ impl Energy {
         let thermal = structure.thermal_strains(0.0);
         // Before a sudden start there is no strain energy; the heat that then appears puts in what is there at t = 0.
         let input = structure.strain_energy(&state.u, &thermal);
-        let start = 0.0 - structure.gravity().dot(&state.u);
+        let mut vector = DVector::zeros(structure.size());
+        let kinetic = structure.kinetic_energy(&state.v, &mut vector);
+        let start = kinetic - structure.gravity().dot(&state.u);
         let heats = scene.rods.iter().any(|rod| scene.heat(rod).is_some_and(|heat| heat.history.len() > 1));
         let works = !scene.forces.is_empty() || heats;
-        let vector = DVector::zeros(structure.size());
-        Energy { start, input, supply: 0.0, works, thermal: [thermal.clone(), thermal], vector }
+        Energy { start, kinetic, input, supply: 0.0, works, thermal: [thermal.clone(), thermal], vector }
     }
 
     /// Adds the work of forces and of heating over a step from what is known at its ends: of second order, and exact for the
@@ -213,7 +226,7 @@ impl Energy {
     /// for a sudden load does.
     fn check(&mut self, row: [f64; 5], structure: &Structure, state: &State) -> Result<()> {
         let [_, _, potential, input, created] = row;
-        self.supply = self.supply.max(input.abs() + (potential - self.start).abs());
+        self.supply = self.supply.max(self.kinetic + input.abs() + (potential - (self.start - self.kinetic)).abs());
         if created > self.supply + structure.energy_rounding() {
             let (time, step, supply) = (state.t, state.step, self.supply);
             return Err(Error::EnergyAppeared { time, step, created, supply });

@@ -10,6 +10,7 @@ mod heat;
 mod loads;
 mod locate;
 mod missing;
+mod motion;
 mod parse;
 mod probes;
 mod scissors;
@@ -28,6 +29,7 @@ use serde::{Deserialize, Serialize};
 
 pub use builtin::{builtin_names, builtin_text};
 pub use choice::{Constraints, Direction, Element, Method, Poisson, Quantity, Schema, Start, ThermalModel};
+pub use motion::Motion;
 pub(crate) use parse::{Refused, read_json};
 pub use scissors::Scissors;
 
@@ -67,6 +69,9 @@ pub struct Scene {
     /// Change of temperature of all rods that have none of their own; `None`: they are not heated.
     #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
     pub temperature: Option<Temperature>,
+    /// How everything moves at t = 0; `None`: at rest.
+    #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
+    pub motion: Option<Motion>,
     /// How pins and supports are kept.
     #[serde(default)]
     pub constraints: Constraints,

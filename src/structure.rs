@@ -13,6 +13,7 @@
 //! form ([`Chains`]), as a whole beside multipliers ([`Bordered`]).
 
 mod build;
+mod collapse;
 mod constraints;
 mod frequency;
 mod mass;
@@ -22,6 +23,7 @@ mod mobility;
 mod numbering;
 mod probes;
 mod rod;
+mod rounding;
 mod unknowns;
 
 use std::collections::BTreeMap;
@@ -91,6 +93,7 @@ pub struct Structure {
     /// Where they act.
     force_places: Vec<Components>,
     start: DVector<f64>,
+    start_velocity: DVector<f64>,
     /// Statics: loads and heat grow with a factor in place of time.
     grows: bool,
     /// Force or moment of a unit strain on each unknown, N and N m.
@@ -122,6 +125,11 @@ impl Structure {
     /// Displacement at t = 0: zero, or the stress-free one of a relaxed start.
     pub fn start(&self) -> &DVector<f64> {
         &self.start
+    }
+
+    /// Velocity at t = 0: zero, or that of the scene's motion.
+    pub fn start_velocity(&self) -> &DVector<f64> {
+        &self.start_velocity
     }
 
     /// Mass matrix of the unknowns.
@@ -269,6 +277,12 @@ impl Structure {
     /// Tangent ∂Q/∂u.
     pub fn tangent(&self, u: &DVector<f64>, thermal: &[ThermalStrain]) -> Bordered {
         self.assemble_matrix(|n| ElementMatrix::Tangent { u, eps_t: thermal[n], stiffness: 1.0, mass: 0.0 })
+    }
+
+    /// In how many independent directions the equilibrium at the load factor `t` is unstable: negative eigenvalues of the tangent.
+    /// `None` where elimination does not tell.
+    pub fn unstable_directions(&self, u: &DVector<f64>, t: f64) -> Option<usize> {
+        self.tangent(u, &self.thermal_strains(t)).negative_eigenvalues()
     }
 
     /// Memory for factors of its matrices.

@@ -26,11 +26,13 @@ pub struct EnergyMomentum {
 /// What a step works on.
 #[derive(Debug)]
 struct Memory {
-    /// The unknown: the increment of u.
+    /// The unknown δ: what the increment of u has beside Δt v₀.
     increment: Increment,
+    /// u₀ + Δt v₀.
+    coasted: DVector<f64>,
     /// Q̄.
     elastic: DVector<f64>,
-    /// 2 (du − Δt v₀)/Δt².
+    /// (v₁ − v₀)/Δt = 2δ/Δt².
     a: DVector<f64>,
     /// External force averaged over the step: its work is that average times the displacement.
     load: DVector<f64>,
@@ -43,6 +45,7 @@ impl EnergyMomentum {
         let zeros = || DVector::zeros(structure.size());
         let memory = Memory {
             increment: Increment::new(structure),
+            coasted: zeros(),
             elastic: zeros(),
             a: zeros(),
             load: zeros(),
@@ -69,14 +72,13 @@ fn ends<'a>(u_0: &'a DVector<f64>, u_1: &'a DVector<f64>, thermal: &'a [Vec<Ther
 
 impl Equations for Step<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
-        let Memory { increment, elastic, a, load, thermal } = &mut *self.memory;
-        increment.move_from(&self.state.u);
+        let Memory { increment, coasted, elastic, a, load, thermal } = &mut *self.memory;
+        increment.move_from(coasted);
         let Increment { du, u, value, .. } = increment;
         self.structure.mean_force(&ends(&self.state.u, u, thermal), elastic);
         counts.force_calls += 1;
-        // M (v₁ − v₀)/Δt = 2/Δt² M (du − Δt v₀) keeps its digits at small steps.
+        // Without a difference of the whole increment and Δt v₀, which would leave few digits at small steps.
         a.copy_from(du);
-        a.axpy(-self.dt, &self.state.v, 1.0);
         *a *= 2.0 / (self.dt * self.dt);
         self.structure.inertia_into(a, value);
         let largest_term = self.structure.largest(value).max(self.structure.largest(elastic)).max(self.largest_load);
@@ -86,7 +88,10 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        self.memory.increment.at_rounding(self.structure, &self.memory.thermal[1], times)
+        let Memory { increment, thermal: [thermal_0, thermal_1], .. } = &*self.memory;
+        // Stresses are averaged over both ends, and so are their rounding errors.
+        increment.at_rounding(self.structure, thermal_1, times)
+            || self.structure.within_rounding(&increment.value, &self.state.u, thermal_0, times)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
@@ -113,14 +118,16 @@ impl Integrator for EnergyMomentum {
         structure.load_into(t_1, &mut memory.increment.value);
         memory.load += &memory.increment.value;
         memory.load *= 0.5;
-        memory.increment.du.copy_from(&state.v);
-        memory.increment.du *= *dt;
+        memory.increment.du.fill(0.0);
+        memory.coasted.copy_from(&state.u);
+        memory.coasted.axpy(*dt, &state.v, 1.0);
         let largest_load = structure.largest(&memory.load);
         let mut step = Step { structure, dt: *dt, state, memory, largest_load };
         newton.solve(structure, t_1, &mut step, counts)?;
 
-        // v₁ = 2 du/Δt − v₀.
-        state.v.axpy(2.0 / *dt, &memory.increment.du, -1.0);
+        // u₁ = u₀ + Δt v₀ + δ, v₁ = v₀ + 2δ/Δt.
+        state.v.axpy(2.0 / *dt, &memory.increment.du, 1.0);
+        state.u.copy_from(&memory.coasted);
         state.u += &memory.increment.du;
         state.advance(t_1);
         counts.steps += 1;

@@ -50,8 +50,10 @@ struct Weights {
 /// What a step works on.
 #[derive(Debug)]
 struct Memory {
-    /// The unknowns: the increment of u, and λ₁ in their places.
+    /// The unknowns: δ, what the increment of u has beside Δt v₀, and λ₁ in their places.
     increment: Increment,
+    /// u₀ + Δt v₀.
+    coasted: DVector<f64>,
     /// (1 − α_m) a₁ + α_m a₀.
     a: DVector<f64>,
     /// (Q_e + Φ_qᵀ λ)₁.
@@ -86,6 +88,7 @@ impl GeneralizedAlpha {
         let zeros = || DVector::zeros(structure.size());
         let memory = Memory {
             increment: Increment::new(structure),
+            coasted: zeros(),
             a: zeros(),
             elastic: zeros(),
             unbalanced: -structure.inertia(&a),
@@ -111,23 +114,24 @@ struct Step<'a> {
 impl Equations for Step<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
         let Weights { step: dt, alpha_m, alpha_f, beta, .. } = self.weights;
-        let Memory { increment, a, elastic, unbalanced, load, thermal } = &mut *self.memory;
-        increment.move_from(&self.state.u);
+        let Memory { increment, coasted, a, elastic, unbalanced, load, thermal } = &mut *self.memory;
+        increment.move_from(coasted);
         let Increment { du, u, value, .. } = increment;
         self.structure.force(u, thermal, elastic);
         counts.force_calls += 1;
         self.structure.add_constraint_forces(du, elastic);
-        // a₁ = (du − Δt v₀)/(βΔt²) − (1/(2β) − 1) a₀.
+        // a₁ = δ/(βΔt²) − (1/(2β) − 1) a₀: no difference of the whole increment and Δt v₀.
         let from_du = (1.0 - alpha_m) / (beta * dt * dt);
         a.copy_from(du);
-        a.axpy(-dt, &self.state.v, 1.0);
         a.axpy(alpha_m - (1.0 - alpha_m) * (0.5 / beta - 1.0), self.a_0, from_du);
         self.structure.inertia_into(a, value);
         let largest_term = self.structure.largest(value).max(self.structure.largest(elastic)).max(self.largest_given);
         value.axpy(1.0 - alpha_f, elastic, 1.0);
         value.axpy(alpha_f - 1.0, load, 1.0);
         value.axpy(alpha_f, unbalanced, 1.0);
-        self.structure.set_constraint_rows(du, value);
+        a.copy_from(du);
+        a.axpy(dt, &self.state.v, 1.0);
+        self.structure.set_constraint_rows(a, value);
         Residual { size: self.structure.largest(value), largest_term }
     }
 
@@ -158,8 +162,9 @@ impl Integrator for GeneralizedAlpha {
         structure.thermal_strains_into(t_1, &mut memory.thermal);
         structure.load_into(t_1, &mut memory.load);
         memory.increment.du.copy_from(multipliers);
-        memory.increment.du.axpy(dt, &state.v, 1.0);
         memory.increment.du.axpy(0.5 * dt * dt, a_0, 1.0);
+        memory.coasted.copy_from(&state.u);
+        memory.coasted.axpy(dt, &state.v, 1.0);
         let largest_given = structure.largest(&memory.unbalanced).max(structure.largest(&memory.load));
         let mut step = Step { structure, weights: *weights, state, a_0, memory, largest_given };
         newton.solve(structure, t_1, &mut step, counts)?;
@@ -169,14 +174,13 @@ impl Integrator for GeneralizedAlpha {
         memory.unbalanced -= &memory.load;
         structure.take_multipliers_into(&mut memory.increment.du, multipliers);
         // v₁ = v₀ + Δt [(1 − γ) a₀ + γ a₁], a₁ as above.
-        let Increment { du, value: v_0, .. } = &mut memory.increment;
-        v_0.copy_from(&state.v);
+        let delta = &memory.increment.du;
         state.v.axpy(dt * (1.0 - gamma), a_0, 1.0);
         *a_0 *= 1.0 - 0.5 / beta;
-        a_0.axpy(1.0 / (beta * dt * dt), du, 1.0);
-        a_0.axpy(-1.0 / (beta * dt), v_0, 1.0);
+        a_0.axpy(1.0 / (beta * dt * dt), delta, 1.0);
         state.v.axpy(dt * gamma, a_0, 1.0);
-        state.u += &*du;
+        state.u.copy_from(&memory.coasted);
+        state.u += delta;
         state.advance(t_1);
         counts.steps += 1;
         Ok(())

@@ -41,9 +41,9 @@ pub struct State {
 }
 
 impl State {
-    /// A structure's state at t = 0, at rest.
+    /// A structure's state at t = 0.
     pub fn at_start(structure: &Structure) -> State {
-        State { step: 0, t: 0.0, u: structure.start().clone(), v: DVector::zeros(structure.size()) }
+        State { step: 0, t: 0.0, u: structure.start().clone(), v: structure.start_velocity().clone() }
     }
 
     /// One step more, to time `t`.

@@ -14,6 +14,7 @@
 
 #![allow(non_snake_case)] // The symbols of the derivation are names here: A, I, H, N, eps_T.
 
+pub(super) mod collapse;
 mod section;
 
 use nalgebra::Vector2;
@@ -40,6 +41,8 @@ pub struct Ancf {
     per_length: f64,
     stations: [Station; 5],
     law: SectionLaw,
+    /// h/2
+    half_height: f64,
 }
 
 /// The element's displacement as polynomials along it: p = u₀' and δ, whose slope is l/2 κ.
@@ -56,8 +59,8 @@ impl Ancf {
     pub fn new(l: f64, h: f64, w: f64, theta: f64, law: Law) -> Ancf {
         let stations = stations(&GAUSS_5, l);
         let (sin, cos) = theta.sin_cos();
-        let law = SectionLaw::new(law, h, w);
-        Ancf { t: vec2(cos, sin), n: vec2(-sin, cos), per_length: 1.0 / l, stations, law }
+        let (t, n, law) = (vec2(cos, sin), vec2(-sin, cos), SectionLaw::new(law, h, w));
+        Ancf { t, n, per_length: 1.0 / l, stations, law, half_height: 0.5 * h }
     }
 
     /// The same element with Poisson's terms computed, be they zero or not.
@@ -211,6 +214,10 @@ impl Beam<14> for Ancf {
 
     fn axis(fraction: f64, u: &Vector14, l: f64) -> Vector2<f64> {
         S(fraction * l, 0.0, l) * u
+    }
+
+    fn left(&self, _before: &Vector14, u: &Vector14) -> f64 {
+        self.least_determinant(u)
     }
 
     fn energy(&self, u: &Vector14, eps_T: ThermalStrain) -> f64 {

@@ -6,6 +6,7 @@
 
 #![allow(non_snake_case)] // The symbols of the derivation are names here: EA, EI, N, M, A, B, H, K, Q.
 
+mod collapse;
 mod step;
 
 use nalgebra::Vector2;
@@ -291,6 +292,10 @@ impl Beam<8> for Cable {
             .fold(Vec2::ZERO, |sum, (s, r)| sum + r * s)
             .to_array()
             .into()
+    }
+
+    fn left(&self, before: &Vector8, u: &Vector8) -> f64 {
+        self.least_left(before, u)
     }
 
     fn energy(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> f64 {

@@ -10,6 +10,8 @@
 //! One block is one rod, the border is what rods share: pinned points, or multipliers. Each block is eliminated by itself,
 //! and leaves a small band matrix D − Σ Cᵢ Aᵢ⁻¹ Bᵢ: the cost is linear in the number of rods and of their elements.
 
+mod inertia;
+
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, SMatrix};

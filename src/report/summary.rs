@@ -6,6 +6,7 @@ use serde::{Serialize, Serializer};
 
 use super::{energy_imbalance, final_time, final_values};
 use crate::counts::Counts;
+use crate::estimate::Estimate;
 use crate::plan::{Part, Plan};
 use crate::run::Run;
 use crate::scene::{Method, Scene};
@@ -27,12 +28,11 @@ pub fn write_summary(out: &mut dyn Write, scene: &Scene, run: &Run) -> io::Resul
         end: End { t: final_time(run), probes: run },
         warnings: &run.warnings,
         accuracy: Accuracy {
-            time: Estimate::None,
-            space: Estimate::None,
-            energy: energy_imbalance(&run.trajectory).map_or(Estimate::None, |value| Estimate::Found {
-                value,
-                unit: "J",
-                method: "largest |energy.balance| over the rows",
+            time: Known::of(&run.accuracy.time),
+            space: Known::of(&run.accuracy.space),
+            energy: energy_imbalance(&run.trajectory).map_or(Known::None, |value| {
+                let method = "largest |energy.balance| over the rows".into();
+                Known::Found(Estimate { value, unit: "J", method })
             }),
         },
     };
@@ -71,22 +71,24 @@ fn probes<S: Serializer>(run: &Run, serializer: S) -> Result<S::Ok, S::Error> {
 
 #[derive(Serialize)]
 struct Accuracy {
-    time: Estimate,
-    space: Estimate,
-    energy: Estimate,
+    time: Known,
+    space: Known,
+    energy: Known,
 }
 
 /// A value with the method that estimated it.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Estimate {
-    Found {
-        value: f64,
-        unit: &'static str,
-        method: &'static str,
-    },
+enum Known {
+    Found(Estimate),
     #[serde(serialize_with = "not_estimated")]
     None,
+}
+
+impl Known {
+    fn of(estimate: &Option<Estimate>) -> Known {
+        estimate.clone().map_or(Known::None, Known::Found)
+    }
 }
 
 fn not_estimated<S: Serializer>(serializer: S) -> Result<S::Ok, S::Error> {

@@ -42,7 +42,12 @@ impl Scene {
 impl Refusal {
     pub(super) fn into_error(self, file: &str, place: Option<(usize, usize)>) -> Error {
         let file = place.map_or(file.to_string(), |(line, column)| format!("{file}:{line}:{column}"));
-        Error::Scene { file, key: quote(&self.key), value: self.value, allowed: self.allowed }
+        let key = match quote(&self.key) {
+            // A key of spaces only.
+            key if key.is_empty() => format!("{:?}", self.key),
+            key => key,
+        };
+        Error::Scene { file, key, value: self.value, allowed: self.allowed }
     }
 }
 

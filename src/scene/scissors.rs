@@ -81,6 +81,7 @@ impl Scissors {
             forces: vec![Force { point: "a1".into(), force: [0.0, 0.0 - self.force], history: None }],
             gravity: [0.0, 0.0],
             temperature: self.temperature(),
+            motion: None,
             constraints: Constraints::Condensed,
             time: Time {
                 end: 3.0,

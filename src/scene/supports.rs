@@ -107,6 +107,15 @@ impl<'a> Held<'a> {
 }
 
 impl Support {
+    /// Unit vectors along which it holds its point.
+    pub(crate) fn held(&self) -> Vec<[f64; 2]> {
+        let axis = |direction: &Direction| match direction {
+            Direction::X => [1.0, 0.0],
+            Direction::Y => [0.0, 1.0],
+        };
+        self.fix.iter().map(axis).chain(self.across()).collect()
+    }
+
     /// The unit vector across its slide, along which it holds the point. Scaled first, as squares under- and overflow.
     pub(crate) fn across(&self) -> Option<[f64; 2]> {
         let [x, y] = self.slide?;

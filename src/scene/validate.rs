@@ -4,6 +4,7 @@ use std::fmt::Display;
 
 use super::heat::check_heat;
 use super::loads::check_loads;
+use super::motion::check_motion;
 use super::probes::check_probes;
 use super::statics::check_statics;
 use super::supports::check_supports;
@@ -63,6 +64,7 @@ pub(super) fn check(scene: &Scene) -> Check {
     check_constraints(scene)?;
     check_time(&scene.time)?;
     check_statics(scene)?;
+    check_motion(scene)?;
     check_probes(scene)?;
     check_output(scene)
 }

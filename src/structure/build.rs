@@ -11,8 +11,9 @@ use super::rod::Rod;
 use super::unknowns::{Numbering, condensed, with_multipliers};
 use super::{Kind, Node, Point, Structure, mobility};
 use crate::error::{Error, Result};
+use crate::kernel::Meaning;
 use crate::plan::Plan;
-use crate::scene::{Constraints, Method, Scene, Start};
+use crate::scene::{Constraints, Method, Motion, Scene, Start};
 
 /// More memory than this for one matrix, in bytes, is refused: a structure that needs it is not a few rods.
 const MOST_BYTES: usize = 2 << 30;
@@ -59,6 +60,7 @@ impl Structure {
             forces: scene.forces.clone(),
             force_places: Vec::new(),
             start: DVector::zeros(size),
+            start_velocity: DVector::zeros(size),
             grows: scene.time.method == Method::Static,
             unit_forces: DVector::zeros(size),
         };
@@ -67,6 +69,9 @@ impl Structure {
         structure.unit_forces = structure.unit_forces();
         if scene.rods.iter().any(|rod| scene.heat(rod).is_some_and(|heat| heat.start == Start::Relaxed)) {
             structure.start = structure.relaxed(scene);
+        }
+        if let Some(motion) = &scene.motion {
+            structure.start_velocity = structure.moving(scene, motion);
         }
         Ok(structure)
     }
@@ -99,6 +104,29 @@ impl Structure {
             }
         }
         u
+    }
+}
+
+impl Structure {
+    /// Velocities of a rigid motion of the start.
+    fn moving(&self, scene: &Scene, motion: &Motion) -> DVector<f64> {
+        let mut v = DVector::zeros(self.size());
+        for (rod, data) in scene.rods.iter().zip(&*self.rods) {
+            let t = data.along.normalize();
+            for (n, vector) in data.chain.iter().enumerate() {
+                let (meaning, place) = data.nodal(n);
+                let moved = vector.get(&self.start);
+                let velocity = match meaning {
+                    Meaning::Position => {
+                        motion.at((Vector2::from(scene.points[&rod.from]) + place * data.along + moved).into())
+                    }
+                    Meaning::SlopeX => motion.turned((t + moved).into()),
+                    Meaning::SlopeY => motion.turned((Vector2::new(-t.y, t.x) + moved).into()),
+                };
+                vector.set(&velocity.into(), &mut v);
+            }
+        }
+        v
     }
 }
 

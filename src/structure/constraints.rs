@@ -10,7 +10,7 @@ use nalgebra::{DVector, Vector2};
 
 use super::{ConstraintRow, Node, Point, Structure};
 use crate::linear::Bordered;
-use crate::scene::{Direction, Element, Scene, Support};
+use crate::scene::{Element, Scene, Support};
 
 /// One row: Σ weight · nodal vector = 0.
 pub(super) struct Row {
@@ -52,11 +52,7 @@ fn position(node: Node, weight: Vector2<f64>) -> Term {
 
 /// Unit vectors along which a support holds its point.
 pub(super) fn held_directions(support: &Support) -> Vec<Vector2<f64>> {
-    let axis = |direction: &Direction| match direction {
-        Direction::X => Vector2::x(),
-        Direction::Y => Vector2::y(),
-    };
-    support.fix.iter().map(axis).chain(support.across().map(Vector2::from)).collect()
+    support.held().into_iter().map(Vector2::from).collect()
 }
 
 /// The node whose section a support clamps, and the direction that its slope must not have a part of: the rod's initial one

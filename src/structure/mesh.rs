@@ -120,6 +120,9 @@ pub(super) trait Mesh: Debug + Send + Sync {
     /// M a + Q_e − `weight` · Q_w at one nodal vector, N.
     fn force_at(&self, vector: usize, now: &Loaded) -> Vector2<f64>;
 
+    /// The first element that has collapsed.
+    fn collapsed(&self, before: &DVector<f64>, u: &DVector<f64>) -> Option<usize>;
+
     /// Strain energy, J.
     fn energy(&self, u: &DVector<f64>, eps_t: ThermalStrain) -> f64;
 
@@ -388,6 +391,12 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
             Some(force.fixed_rows::<2>(2 * own).into_owned())
         });
         touching.sum()
+    }
+
+    fn collapsed(&self, before: &DVector<f64>, u: &DVector<f64>) -> Option<usize> {
+        let left = |place: &Place<N>| self.beam.left(&place.gather(before), &place.gather(u));
+        // A NaN is not over 0.
+        self.places.iter().position(|place| left(place).partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater))
     }
 
     fn energy(&self, u: &DVector<f64>, eps_t: ThermalStrain) -> f64 {

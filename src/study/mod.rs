@@ -1,4 +1,5 @@
-//! The main job: the paper's Sections 3 and 4, recomputed and compared with the oracles; and [`error_time`], error against run time.
+//! The main job: the paper's Sections 3 and 4, recomputed and compared with the oracles; [`error_time`], error against run time; [`stability`], stiff
+//! and extreme cases.
 
 mod claims;
 mod continuum;
@@ -12,6 +13,7 @@ mod scissors;
 mod section3;
 mod section4;
 mod signal;
+pub mod stability;
 mod table;
 
 use std::path::Path;

@@ -191,3 +191,27 @@ fn scales_are_powers_of_two_that_bring_sizes_below_one() {
     }
     assert_eq!([0.0, f64::INFINITY, f64::NAN].map(power_of_two), [1.0; 3]);
 }
+
+proptest! {
+    /// The number of negative eigenvalues against those of the dense matrix, where none is near zero.
+    #[test]
+    fn negative_eigenvalues_are_counted(layout in layouts(), values in values(), more in -3.0..3.0f64) {
+        prop_assume!(layout.size() > 0);
+        let layout = Arc::new(layout);
+        let (mut bordered, mut dense) = (Bordered::zeros(&layout), DMatrix::<f64>::zeros(layout.size(), layout.size()));
+        let lower = places(&layout).into_iter().filter(|(_, row, column)| column <= row);
+        for ((block, row, column), value) in lower.zip(values.iter().cycle()) {
+            let value = if row == column { value + more } else { *value };
+            bordered.block(block).add(row, column, value);
+            dense[(row, column)] += value;
+            if row != column {
+                bordered.block(block).add(column, row, value);
+                dense[(column, row)] += value;
+            }
+        }
+        let eigenvalues: Vec<f64> = dense.symmetric_eigenvalues().iter().copied().collect();
+        prop_assume!(eigenvalues.iter().all(|value| value.abs() > 1e-3));
+        let negative = eigenvalues.iter().filter(|value| **value < 0.0).count();
+        prop_assert_eq!(bordered.negative_eigenvalues(), Some(negative));
+    }
+}

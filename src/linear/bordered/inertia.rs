@@ -1,0 +1,69 @@
+//! How many eigenvalues of a symmetric matrix are negative, by L D Lᵀ (Sylvester's law of inertia).
+
+use super::{Block, Bordered};
+use crate::linear::{BandMatrix, BlockLayout};
+
+impl Bordered {
+    /// The number of negative eigenvalues of this matrix, which has to be symmetric; `None` where elimination without a change of rows
+    /// comes to a pivot of zero, or one that is not a number.
+    pub fn negative_eigenvalues(&self) -> Option<usize> {
+        let mut corner = self.corner.clone();
+        let mut negative = 0;
+        for (block, place) in self.blocks.iter().zip(&self.layout.blocks) {
+            negative += block.eliminate(place, self.layout.border, &mut corner)?;
+        }
+        let (of_corner, _) = factorize(&corner, self.layout.border_size, self.layout.border_band, &mut [])?;
+        Some(negative + of_corner)
+    }
+}
+
+impl Block {
+    /// Eliminates the block's own unknowns: the number of negative pivots; what is left of the border is added to the corner.
+    fn eliminate(&self, place: &BlockLayout, border: usize, corner: &mut BandMatrix) -> Option<usize> {
+        let mut sides: Vec<Vec<f64>> =
+            self.right.column_iter().map(|column| column.iter().copied().collect()).collect();
+        let (negative, pivots) = factorize(&self.own, place.size, place.band, &mut sides)?;
+        for (a, side_a) in place.touches.iter().zip(&sides) {
+            for (b, side_b) in place.touches.iter().zip(&sides) {
+                let left: f64 = side_a.iter().zip(side_b).zip(&pivots).map(|((x, y), pivot)| x * y / pivot).sum();
+                corner.add(a - border, b - border, -left);
+            }
+        }
+        Some(negative)
+    }
+}
+
+/// L D Lᵀ: the number of negative pivots, and the pivots; `sides` becomes L⁻¹ of itself.
+fn factorize(matrix: &BandMatrix, size: usize, band: usize, sides: &mut [Vec<f64>]) -> Option<(usize, Vec<f64>)> {
+    // Row i of L, from column i − band on.
+    let mut lower: Vec<Vec<f64>> = Vec::with_capacity(size);
+    let mut pivots: Vec<f64> = Vec::with_capacity(size);
+    for i in 0..size {
+        let first = i.saturating_sub(band);
+        let mut row = vec![0.0; i - first + 1];
+        matrix.row(i).filter(|(column, _)| *column <= i).for_each(|(column, value)| row[column - first] = value);
+        // row[j] becomes L[i, j] · d[j], and the last entry d[i].
+        for j in first..i {
+            let first_j = j.saturating_sub(band);
+            let from = first.max(first_j);
+            let done: f64 = (from..j).map(|k| row[k - first] * lower[j][k - first_j]).sum();
+            row[j - first] -= done;
+        }
+        let mut pivot = row[i - first];
+        for j in first..i {
+            let scaled = row[j - first] / pivots[j];
+            pivot -= row[j - first] * scaled;
+            row[j - first] = scaled;
+        }
+        if pivot == 0.0 || !pivot.is_finite() {
+            return None;
+        }
+        for side in sides.iter_mut() {
+            let done: f64 = (first..i).map(|j| row[j - first] * side[j]).sum();
+            side[i] -= done;
+        }
+        pivots.push(pivot);
+        lower.push(row);
+    }
+    Some((pivots.iter().filter(|pivot| **pivot < 0.0).count(), pivots))
+}

@@ -1,0 +1,46 @@
+//! What rounding errors of the elastic forces amount to.
+//!
+//! A strain carries ε_mach times the largest of |u|/l and of the slopes' changes ([`Structure::within_rounding`]), which a stiff rod
+//! makes a force. Where that is no longer small beside the loads a motion follows the rounding; in statics a slender rod turns it
+//! into a displacement.
+
+use nalgebra::DVector;
+
+use super::{Kind, Matrix, Structure};
+
+impl Structure {
+    /// The largest force that rounding of the strains at `u` may cause, N.
+    pub fn rounding_force(&self, u: &DVector<f64>) -> f64 {
+        let positions = self.unit_forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
+        positions.map(|(force, _)| *force).fold(0.0, f64::max) * self.rounding_strain(u, 0.0)
+    }
+
+    /// How far rounding of the strains may move an equilibrium, of how far it is from the start, or of what heat would stretch an
+    /// element; for errors of one sign, and of signs that hardly repeat. `None` where nothing moves, or the tangent is singular.
+    pub fn rounding_of_equilibrium(&self, u: &DVector<f64>, t: f64) -> Option<f64> {
+        let (thermal, mut factors) = (self.thermal_strains(t), self.factors());
+        let tangent = Matrix::Tangent { u, thermal: &thermal, stiffness: 1.0, mass: 0.0 };
+        self.factorize(tangent, &mut factors).ok()?;
+        let hottest = thermal.iter().flatten().map(|strain| strain.abs()).fold(0.0, f64::max);
+        let errors = &self.unit_forces * self.rounding_strain(u, hottest);
+        let moved = |sign: &dyn Fn(usize) -> f64| {
+            let mut moved = errors.map_with_location(|row, _, error| sign(row) * error);
+            factors.solve(&mut moved);
+            self.farthest(&moved)
+        };
+        // Elimination along a rod adds errors of one sign up, and those of changing signs act on what is short.
+        let farthest = moved(&|_| 1.0).max(moved(&|n| (1.7 * n as f64 * n as f64).sin().signum()));
+        let far = self.farthest(u).max(hottest * self.shortest);
+        (far > 0.0).then(|| farthest / far)
+    }
+
+    /// ε_mach times the largest of |u|/l, of the slopes' changes and of the thermal strain `hottest`.
+    fn rounding_strain(&self, u: &DVector<f64>, hottest: f64) -> f64 {
+        let size = |(u, kind): (&f64, &Kind)| match kind {
+            Kind::Position => u.abs() / self.shortest,
+            Kind::Slope(_) => u.abs(),
+            Kind::Multiplier => 0.0,
+        };
+        f64::EPSILON * u.iter().zip(&self.kinds).map(size).fold(hottest, f64::max)
+    }
+}

@@ -1,0 +1,131 @@
+//! Other units: the same scene with its numbers in other systems. Every tolerance has to be dimensionless.
+
+use super::case::{Case, Finding, Trial};
+use super::tools::{Path, builtin, positions};
+use crate::error::Result;
+use crate::run::run;
+use crate::scene::{Constraints, Element, Material, Method, Scene, Scissors, Section, Temperature, ThermalModel};
+use crate::study::error_time::samples::largest;
+
+pub const CASE: Case = Case {
+    name: "units",
+    parameter: "m in the unit of length",
+    unit: "of the largest position",
+    reference: "the same scene in m, kg, s",
+    right: "positions equal to 1e-11 of the largest: a tolerance that has a dimension, or compares a slope with a length, would end an \
+            iteration elsewhere. What is left is rounding, 2 ε_mach a step over some hundred steps, grown by at most a hundred.",
+    trials,
+};
+
+/// A system of units: numbers of metres, kilograms and seconds in it.
+#[derive(Clone, Copy)]
+struct Units {
+    name: &'static str,
+    length: f64,
+    mass: f64,
+    time: f64,
+}
+
+const SYSTEMS: [Units; 4] = [
+    Units { name: "mm, t, s", length: 1e3, mass: 1e-3, time: 1.0 },
+    Units { name: "km, Gg, s", length: 1e-3, mass: 1e-6, time: 1.0 },
+    Units { name: "mm, kg, ms", length: 1e3, mass: 1.0, time: 1e3 },
+    Units { name: "Å, u, fs", length: 1e10, mass: 6.022e26, time: 1e15 },
+];
+
+type Made = fn() -> Result<Scene>;
+const SCENES: [(&str, &str, Made); 10] = [
+    ("pendulum, energy-momentum", "tip", || pendulum("pendulum-flexible", Method::EnergyMomentum, Element::Ancf)),
+    ("pendulum, generalized-alpha", "tip", || pendulum("pendulum-flexible", Method::GeneralizedAlpha, Element::Ancf)),
+    ("pendulum, multipliers", "tip", || {
+        let scene = pendulum("pendulum-flexible", Method::GeneralizedAlpha, Element::Ancf)?;
+        Ok(Scene { constraints: Constraints::Multipliers, ..scene })
+    }),
+    ("pendulum, gauss, euler-bernoulli", "tip", || {
+        pendulum("pendulum-flexible", Method::Gauss, Element::EulerBernoulli)
+    }),
+    ("pendulum, gauss-adaptive", "tip", || pendulum("pendulum-flexible", Method::GaussAdaptive, Element::Ancf)),
+    ("pendulum, nystrom-adaptive", "tip", || pendulum("pendulum-flexible", Method::NystromAdaptive, Element::Ancf)),
+    ("pendulum heated, relaxed, gauss", "tip", || pendulum("pendulum-2d-relaxed", Method::Gauss, Element::Ancf)),
+    ("pendulum heated suddenly, energy-momentum", "tip", || {
+        pendulum("pendulum-2d", Method::EnergyMomentum, Element::Ancf)
+    }),
+    ("scissors heated, multipliers", "a4", || {
+        let scissors = Scissors { elements: 2, model: ThermalModel::TwoD, ..Scissors::new(3) };
+        let mut scene = scissors.scene()?;
+        (scene.time.method, scene.time.step, scene.time.end) = (Method::GeneralizedAlpha, 1e-3, 0.3);
+        scene.constraints = Constraints::Multipliers;
+        Ok(scene)
+    }),
+    ("cantilever, statics", "tip", || builtin("cantilever")),
+];
+
+fn pendulum(name: &'static str, method: Method, element: Element) -> Result<Scene> {
+    let mut scene = builtin(name)?;
+    (scene.rods[0].element, scene.rods[0].elements) = (element, 4);
+    (scene.time.method, scene.time.step, scene.time.end) = (method, 1e-3, 0.2);
+    Ok(scene)
+}
+
+fn trials() -> Result<Vec<Trial>> {
+    let trials = SCENES.into_iter().flat_map(|(name, probe, made)| {
+        SYSTEMS.map(|units| {
+            let fast = units.length == 1e-3 || units.time == 1e15;
+            Trial::new(format!("{name}; {}", units.name), units.length, move || measure(probe, made, units)).fast(fast)
+        })
+    });
+    Ok(trials.collect())
+}
+
+fn measure(probe: &'static str, made: Made, units: Units) -> Result<Finding> {
+    let scene = made()?;
+    let (ours, run) = (run(&scene)?, run(&converted(&scene, units))?);
+    let ours = positions(&ours, probe);
+    let path: Path = positions(&run, probe).iter().map(|point| point.map(|x| x / units.length)).collect();
+    let size = largest(&ours, &vec![[0.0; 2]; ours.len()]);
+    Ok(Finding {
+        error: largest(&ours, &path) / size,
+        bound: 1e-11,
+        why: "rounding over the steps".into(),
+        size: Some(1.0),
+        counts: run.counts,
+        // Heat that comes suddenly is warned of in all units.
+        warnings: Vec::new(),
+        beside: None,
+    })
+}
+
+/// A scene with its numbers in other units; temperatures stay.
+fn converted(scene: &Scene, units: Units) -> Scene {
+    let Units { length, mass, time, .. } = units;
+    let mut scene = scene.clone();
+    let material = |material: &mut Material| {
+        material.youngs_modulus *= mass / (length * time * time);
+        material.rho *= mass / length.powi(3);
+    };
+    let section = |section: &mut Section| {
+        section.height *= length;
+        section.width *= length;
+    };
+    let temperature = |temperature: &mut Temperature| temperature.history.iter_mut().for_each(|pair| pair[0] *= time);
+    material(&mut scene.material);
+    section(&mut scene.section);
+    scene.temperature.iter_mut().for_each(temperature);
+    for rod in &mut scene.rods {
+        rod.material.iter_mut().for_each(material);
+        rod.section.iter_mut().for_each(section);
+        rod.temperature.iter_mut().for_each(temperature);
+    }
+    scene.points.values_mut().for_each(|point| *point = point.map(|x| x * length));
+    for force in &mut scene.forces {
+        force.force = force.force.map(|f| f * mass * length / (time * time));
+        force.history.iter_mut().flatten().for_each(|pair| pair[0] *= time);
+    }
+    scene.gravity = scene.gravity.map(|g| g * length / (time * time));
+    if scene.time.method != Method::Static {
+        (scene.time.end, scene.time.step) = (scene.time.end * time, scene.time.step * time);
+    }
+    scene.time.tolerance *= length;
+    scene.output.interval = scene.output.interval.map(|interval| interval * time);
+    scene
+}

@@ -1,0 +1,130 @@
+//! `ancf run --estimate`: errors in time and space in `summary.json`, and an error where no digit is right.
+
+#![cfg(feature = "cli")]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use ancf::error::Error;
+use ancf::estimate::run_estimated;
+use ancf::run::run;
+use ancf::scene::{Method, Scene};
+use serde_json::Value;
+
+fn ancf(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ancf")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+fn pendulum(method: Method, step: f64) -> Scene {
+    let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+    scene.rods[0].elements = 2;
+    (scene.time.method, scene.time.step, scene.time.end) = (method, step, 0.1);
+    scene
+}
+
+#[test]
+fn the_summary_has_both_errors_with_their_method_and_the_rows_are_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("mine.json"), pendulum(Method::EnergyMomentum, 1e-3).to_text()).unwrap();
+    let run = |arguments: &[&str]| {
+        let output = ancf(folder.path(), arguments);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let read = |name: &str| fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+        let summary: Value = serde_json::from_str(&read("summary.json")).unwrap();
+        (read("trajectory.csv"), summary, String::from_utf8(output.stdout).unwrap())
+    };
+    let (plain, summary, _) = run(&["run", "mine.json"]);
+    assert_eq!(summary["accuracy"]["time"], "not estimated");
+    let (estimated, summary, text) = run(&["run", "mine.json", "--estimate"]);
+    assert_eq!(plain, estimated);
+    for (part, how) in [("time", "half the step"), ("space", "twice the elements")] {
+        let known = &summary["accuracy"][part];
+        let value = known["value"].as_f64().unwrap();
+        assert!(value > 0.0 && value < 1e-2 && known["unit"] == "m", "{known}");
+        assert!(known["method"].as_str().unwrap().contains(how), "{known}");
+        assert!(text.contains(how), "{text}");
+    }
+}
+
+/// Without a probe all points are looked at, and the rows stay as the scene has them.
+#[test]
+fn a_scene_without_probes_is_estimated_at_its_points() {
+    let mut scene = pendulum(Method::Gauss, 1e-3);
+    scene.probes.clear();
+    let estimated = run_estimated(&scene, |_| ()).unwrap();
+    assert_eq!(estimated.trajectory, run(&scene).unwrap().trajectory);
+    let with_probe = run_estimated(&pendulum(Method::Gauss, 1e-3), |_| ()).unwrap();
+    assert_eq!(estimated.accuracy, with_probe.accuracy);
+}
+
+/// Time's part falls with the order of the method, by every method that has a step, and with the tolerance.
+#[test]
+fn estimates_fall_with_the_step() {
+    for (method, step, order) in
+        [(Method::EnergyMomentum, 1e-3, 2), (Method::GeneralizedAlpha, 1e-3, 2), (Method::Explicit, 4e-5, 2)]
+    {
+        let time = |step| run_estimated(&pendulum(method, step), |_| ()).unwrap().accuracy.time.unwrap().value;
+        let (coarse, fine) = (time(step), time(0.5 * step));
+        let seen = (coarse / fine).log2();
+        println!("{method}: {coarse:.1e}, {fine:.1e} m, order {seen:.2}");
+        assert!((seen - f64::from(order)).abs() < 0.3, "{method}: {seen}");
+    }
+    let time = |tolerance| {
+        let mut scene = pendulum(Method::GaussAdaptive, 0.01);
+        scene.time.tolerance = tolerance;
+        run_estimated(&scene, |_| ()).unwrap().accuracy.time.unwrap()
+    };
+    let (coarse, fine) = (time(1e-5), time(1e-7));
+    assert!(
+        coarse.value > 5.0 * fine.value && coarse.method.contains("a tenth of the tolerance"),
+        "{coarse:?} {fine:?}"
+    );
+}
+
+#[test]
+fn statics_is_estimated_by_its_load_steps() {
+    let mut scene = Scene::builtin("cantilever").unwrap();
+    scene.time.load_steps = 3;
+    let accuracy = run_estimated(&scene, |_| ()).unwrap().accuracy;
+    let (time, space) = (accuracy.time.unwrap(), accuracy.space.unwrap());
+    // The path does not matter; eight elements are 3.9e-3 L off.
+    assert!(
+        time.value < 1e-9 && time.method.contains("load steps") && (3.9e-3..2e-2).contains(&space.value),
+        "{space:?}"
+    );
+}
+
+/// Two elements cannot bend by 80°, and say so with exit code 1.
+#[test]
+fn a_result_without_a_digit_is_an_error() {
+    let mut scene = Scene::builtin("cantilever").unwrap();
+    (scene.rods[0].elements, scene.time.load_steps) = (2, 20);
+    scene.section.height = 1e-4;
+    scene.section.width = 0.1;
+    scene.forces[0].force[1] *= 0.1;
+    match run_estimated(&scene, |_| ()) {
+        Err(Error::Inaccurate { space, moved, .. }) => assert!(space > 0.1 * moved),
+        other => panic!("{:?}", other.map(|run| run.accuracy)),
+    }
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("mine.json"), scene.to_text()).unwrap();
+    let output = ancf(folder.path(), &["run", "mine.json", "--estimate"]);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(1) && message.contains("no digit is right"), "{message}");
+    assert!(fs::read_dir(folder.path().join("out")).unwrap().next().is_none());
+}
+
+/// A finer run that fails leaves no estimate: steps of 2.5e-4 s take the shock on 16 elements, and not on 32.
+#[test]
+fn a_finer_run_that_fails_is_named() {
+    let mut scene = pendulum(Method::GeneralizedAlpha, 5e-4);
+    scene.temperature = Scene::builtin("pendulum-2d").unwrap().temperature;
+    scene.rods[0].elements = 16;
+    match run_estimated(&scene, |_| ()) {
+        Err(Error::NoEstimate { what, reason }) => {
+            assert!(what.contains("twice the elements") && reason.contains("at t = "), "{what}: {reason}");
+        }
+        other => panic!("{:?}", other.map(|run| run.accuracy)),
+    }
+}

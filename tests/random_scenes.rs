@@ -1,0 +1,358 @@
+//! Scenes that nobody would write: valid by construction, extreme by choice. None may panic, hang, or write a number that is
+//! not one; and what succeeds with `--estimate` is not missed by the estimate.
+
+mod common;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use ancf::error::Error;
+use ancf::estimate::run_estimated;
+use ancf::report::write_csv;
+use ancf::run::{Run, run};
+use ancf::scene::{Element, Method, Scene};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use serde_json::{Value, json};
+
+/// A power of ten, uniform in the exponent.
+fn decades(low: f64, high: f64) -> impl Strategy<Value = f64> {
+    (low..high).prop_map(|exponent| 10f64.powf(exponent))
+}
+
+/// One of the values, or one drawn.
+fn or<T: Clone + std::fmt::Debug + 'static>(
+    special: Vec<T>,
+    drawn: impl Strategy<Value = T> + 'static,
+) -> impl Strategy<Value = T> {
+    prop_oneof![prop::sample::select(special), drawn]
+}
+
+/// What a scene is made of; lengths in units of the rods, times in those of their waves.
+#[derive(Clone, Debug)]
+struct Drawn {
+    kind: usize,
+    modulus: f64,
+    nu: f64,
+    rho: f64,
+    size: f64,
+    slenderness: f64,
+    angle: f64,
+    offset: f64,
+    elements: usize,
+    euler_bernoulli: bool,
+    on_axis: bool,
+    /// Strain of the heat, sudden or slow, along the axis or everywhere.
+    heat: Option<(f64, bool, bool)>,
+    /// Force over EA, weight over EA, ω L over the speed of waves.
+    loads: [f64; 3],
+    method: usize,
+    multipliers: bool,
+    /// Step over the time of a wave along a rod, number of steps.
+    step: f64,
+    steps: usize,
+    newton: f64,
+    rho_inf: f64,
+    probes: usize,
+}
+
+const METHODS: [&str; 8] = [
+    "generalized-alpha",
+    "energy-momentum",
+    "explicit",
+    "gauss",
+    "nystrom",
+    "gauss-adaptive",
+    "nystrom-adaptive",
+    "static",
+];
+
+fn drawn() -> impl Strategy<Value = Drawn> {
+    let material = (decades(-3.0, 15.0), or(vec![0.0, 0.3], -0.999..0.4999), decades(-3.0, 6.0), decades(-6.0, 6.0));
+    let shape =
+        (decades(-1.0, 6.0), or(vec![0.0, 90.0, 45.0], -180.0..180.0), or(vec![0.0], decades(-2.0, 6.0)), 1usize..12);
+    let sign = prop::sample::select(vec![-1.0, 1.0]);
+    let heat = (decades(-12.0, 0.5), sign, any::<bool>(), any::<bool>());
+    let loads = [0, 1, 2].map(|_| or(vec![0.0, 0.0], decades(-14.0, 1.0)));
+    let time = (decades(-4.0, 3.0), 1usize..30, decades(-15.0, -2.0), or(vec![0.0, 1.0], 0.0..1.0));
+    let choices = (0usize..7, 0usize..METHODS.len(), any::<[bool; 3]>(), 0usize..3);
+    (material, shape, prop::option::of(heat), loads, time, choices).prop_map(
+        |((modulus, nu, rho, size), (slenderness, angle, offset, elements), heat, loads, time, choices)| {
+            let (step, steps, newton, rho_inf) = time;
+            let (kind, method, [euler_bernoulli, on_axis, multipliers], probes) = choices;
+            let heat = heat.map(|(strain, sign, sudden, along)| {
+                // Within the measure of both elements.
+                (if sign < 0.0 { -strain.min(0.499) } else { strain }, sudden, along)
+            });
+            Drawn {
+                kind,
+                modulus,
+                nu,
+                rho,
+                size,
+                slenderness,
+                angle,
+                offset,
+                elements,
+                euler_bernoulli,
+                on_axis,
+                heat,
+                loads,
+                method,
+                multipliers,
+                step,
+                steps,
+                newton,
+                rho_inf,
+                probes,
+            }
+        },
+    )
+}
+
+impl Drawn {
+    /// The scene as a file.
+    fn json(&self) -> Value {
+        let Drawn { modulus, rho, size, .. } = *self;
+        let h = size / self.slenderness;
+        let (sin, cos) = self.angle.to_radians().sin_cos();
+        let place =
+            |x: f64, y: f64| [size * (x * cos - y * sin + self.offset), size * (x * sin + y * cos - 0.3 * self.offset)];
+        let method = METHODS[self.method];
+        let is_static = method == "static";
+        let rods = |pairs: &[(&str, &str)], pivot: Option<&str>| -> Vec<Value> {
+            let rod = |(from, to): &(&str, &str)| {
+                let even = self.euler_bernoulli && pivot.is_some();
+                let elements = if even { 2 * self.elements } else { self.elements };
+                let mut rod = json!({"name": format!("{from}{to}"), "from": from, "to": to, "elements": elements});
+                if let Some(pivot) = pivot {
+                    rod["pivot"] = json!(pivot);
+                }
+                if self.euler_bernoulli {
+                    rod["element"] = json!("euler-bernoulli");
+                } else if self.on_axis {
+                    rod["poisson"] = json!("axis");
+                }
+                rod
+            };
+            pairs.iter().map(rod).collect()
+        };
+        // Statics needs what holds every rod.
+        let kind = if is_static { self.kind % 3 } else { self.kind };
+        let (points, rods, mut supports) = match kind {
+            0 => (
+                json!({"a": place(0.0, 0.0), "b": place(1.0, 0.0)}),
+                rods(&[("a", "b")], None),
+                json!([{"point": "a", "fix": ["x", "y"], "clamp": "ab"}]),
+            ),
+            1 => (
+                json!({"a": place(0.0, 0.0), "b": place(1.0, 0.0), "c": place(0.4, 0.9)}),
+                rods(&[("a", "c"), ("c", "b")], None),
+                json!([{"point": "a", "fix": ["x", "y"]}, {"point": "b", "fix": ["x", "y"]}]),
+            ),
+            2 => (
+                json!({"a": place(0.0, 0.0), "b": place(1.0, 1.0), "c": place(1.0, 0.0), "d": place(0.0, 1.0)}),
+                rods(&[("a", "b"), ("c", "d")], Some("m")),
+                json!([{"point": "a", "fix": ["x", "y"]}, {"point": "c", "fix": ["x", "y"]}]),
+            ),
+            3 => (
+                json!({"a": place(0.0, 0.0), "b": place(1.0, 0.0)}),
+                rods(&[("a", "b")], None),
+                json!([{"point": "a", "fix": ["x", "y"]}]),
+            ),
+            4 => (
+                json!({"a": place(0.0, 0.0), "b": place(1.0, 0.0), "c": place(2.0, 0.2)}),
+                rods(&[("a", "b"), ("b", "c")], None),
+                json!([{"point": "a", "fix": ["x", "y"]}]),
+            ),
+            5 => (json!({"a": place(0.0, 0.0), "b": place(1.0, 0.0)}), rods(&[("a", "b")], None), json!([])),
+            _ => (
+                json!({"a": place(0.0, 0.0), "b": place(1.0, 1.0), "c": place(1.0, 0.0), "d": place(0.0, 1.0)}),
+                rods(&[("a", "b"), ("c", "d")], Some("m")),
+                json!([{"point": "a", "fix": ["x", "y"]}, {"point": "d", "slide": [sin + 0.1, 1.0]}]),
+            ),
+        };
+        let stiffness = modulus * h * h;
+        let [force, weight, spin] = self.loads;
+        let wave = size / (modulus / rho).sqrt();
+        let mut scene = json!({
+            "schema": "ancf-scene/1",
+            "material": {"E": modulus, "nu": self.nu, "rho": rho, "alpha": 1e-5},
+            "section": {"height": h, "width": h},
+            "points": points, "rods": rods,
+            "gravity": [0.0, -weight * modulus / (rho * size)],
+            "forces": [{"point": "b", "force": [0.3 * force * stiffness, -force * stiffness]}],
+            "time": {"method": method, "newton_tolerance": self.newton, "rho_inf": self.rho_inf},
+            "probes": [{"name": "b", "point": "b", "of": ["position"]}],
+        });
+        if let Some((strain, sudden, along)) = self.heat {
+            let history = if sudden || is_static {
+                json!([[0.0, strain / 1e-5]])
+            } else {
+                json!([[0.0, 0.0], [wave, strain / 1e-5]])
+            };
+            scene["temperature"] = json!({"model": if along { "1d" } else { "2d" }, "history": history});
+        }
+        if is_static {
+            scene["time"]["load_steps"] = json!(1 + self.steps / 4);
+        } else {
+            // Steps of a method's own choice have to resolve what a thin section vibrates with, or wave from node to node.
+            let short = if method.ends_with("adaptive") {
+                let fastest = (self.slenderness + self.elements as f64) * self.elements as f64;
+                self.step.min(300.0 / (self.steps as f64 * fastest))
+            } else {
+                self.step
+            };
+            let step = short * wave;
+            scene["time"]["step"] = json!(step);
+            scene["time"]["end"] = json!(step * self.steps as f64);
+            scene["time"]["tolerance"] = json!(1e-4 * size);
+            if self.multipliers && method == "generalized-alpha" {
+                scene["constraints"] = json!("multipliers");
+            }
+            if spin > 0.0 && matches!(kind, 3..=5) {
+                scene["motion"] = json!({"omega": spin / wave, "about": place(0.0, 0.0)});
+            }
+            match self.probes {
+                0 => scene["probes"][0]["of"] = json!(["position", "velocity", "acceleration"]),
+                1 => scene["output"] = json!({"energy": false}),
+                _ => {}
+            }
+        }
+        if supports.as_array().is_some_and(Vec::is_empty) {
+            supports = json!([]);
+        }
+        scene["supports"] = supports;
+        scene
+    }
+}
+
+/// What came of a scene.
+enum Outcome {
+    Ran(Box<Run>),
+    Failed(Error),
+    Panicked,
+}
+
+fn outcome(scene: &Scene) -> Outcome {
+    match catch_unwind(AssertUnwindSafe(|| run(scene))) {
+        Ok(Ok(run)) => Outcome::Ran(Box::new(run)),
+        Ok(Err(error)) => Outcome::Failed(error),
+        Err(_) => Outcome::Panicked,
+    }
+}
+
+/// The same scenes each time.
+fn runner(seed: u8) -> TestRunner {
+    TestRunner::new_with_rng(Config::default(), TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]))
+}
+
+/// Runs `number` scenes; those that ran, with their scenes.
+fn random(number: usize, seed: u8) -> Vec<(Scene, Run)> {
+    let mut runner = runner(seed);
+    let strategy = drawn();
+    let (mut ran, mut refused, mut failed) = (Vec::new(), 0, std::collections::BTreeMap::new());
+    for n in 0..number {
+        let drawn = strategy.new_tree(&mut runner).unwrap().current();
+        let text = drawn.json().to_string();
+        let scene = match Scene::parse(&text, "random") {
+            Ok(scene) => scene,
+            // Numbers may be out of what a scene allows, which is said.
+            Err(Error::Scene { .. }) => {
+                refused += 1;
+                continue;
+            }
+            Err(other) => panic!("scene {n}: {other}\n{text}"),
+        };
+        match outcome(&scene) {
+            Outcome::Panicked => panic!("scene {n} panics:\n{text}"),
+            Outcome::Ran(run) => {
+                let finite = run.trajectory.rows.iter().flatten().all(|value| value.is_finite());
+                assert!(finite, "scene {n} has a number that is none:\n{text}");
+                let mut csv = Vec::new();
+                write_csv(&mut csv, &run.trajectory).unwrap();
+                let csv = String::from_utf8(csv).unwrap();
+                assert!(!csv.contains("NaN") && !csv.contains("inf"), "scene {n}:\n{text}");
+                ran.push((scene, *run));
+            }
+            Outcome::Failed(error) => {
+                let message = error.to_string();
+                assert!(message.len() > 20, "scene {n}: {message}");
+                *failed.entry(format!("{error:?}").split([' ', '{']).next().unwrap().to_string()).or_insert(0) += 1;
+            }
+        }
+    }
+    println!("{number} scenes: {} ran, {refused} not valid, failed: {failed:?}", ran.len());
+    assert!(ran.len() * 4 > number, "hardly any scene runs: {}", ran.len());
+    ran
+}
+
+#[test]
+fn random_scenes_neither_panic_nor_give_what_is_no_number() {
+    random(if cfg!(debug_assertions) { 400 } else { 10_000 }, 1);
+}
+
+/// Those that ran, with an estimate, beside the same much finer: no estimate is missed by more than 20 times.
+#[test]
+fn estimates_of_random_scenes_hold() {
+    let (wanted, number) = if cfg!(debug_assertions) { (8, 100) } else { (200, 4000) };
+    let (mut compared, mut refused) = (0, 0);
+    for (scene, _) in random(number, 2) {
+        if compared == wanted {
+            break;
+        }
+        // Finer runs of more are too long for a test.
+        if scene.rods.iter().map(|rod| rod.elements).sum::<usize>() > 12 {
+            continue;
+        }
+        let own = match run_estimated(&scene, |_| ()) {
+            Ok(run) => run,
+            Err(_) => {
+                refused += 1;
+                continue;
+            }
+        };
+        let Some(fine) = finer(&scene) else { continue };
+        let (estimate, off) = (own.accuracy.total().unwrap(), distance(&own, &fine));
+        let size = own.trajectory.rows.iter().map(|row| row[1].hypot(row[2])).fold(0.0, f64::max);
+        // Rounding of the output's places is no error of the method.
+        assert!(
+            off <= 20.0 * estimate + 1e-12 * size,
+            "estimated {estimate:.1e} m, off by {off:.1e} m:\n{}",
+            serde_json::to_string(&scene).unwrap()
+        );
+        compared += 1;
+    }
+    println!("{compared} estimates compared, {refused} refused");
+    assert_eq!(compared, wanted);
+}
+
+/// The same with an eighth of the step and four times the elements; `None` where that cannot be run.
+fn finer(scene: &Scene) -> Option<Run> {
+    let mut fine = scene.clone();
+    let every = if scene.time.method == Method::Static { 8 } else { 1 };
+    fine.rods.iter_mut().for_each(|rod| rod.elements *= 4);
+    fine.time.load_steps *= every;
+    if scene.time.method.is_adaptive() {
+        fine.time.tolerance /= 1000.0;
+        fine.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
+        fine.time.step /= 8.0;
+    } else if scene.time.method != Method::Static {
+        fine.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
+        // Bending of Euler–Bernoulli elements a quarter as long is sixteen times as fast.
+        let finer = if scene.time.method.is_explicit() && scene.rods[0].element == Element::EulerBernoulli {
+            32.0
+        } else {
+            8.0
+        };
+        fine.time.step /= finer;
+    }
+    let mut fine = run(&fine).ok()?;
+    fine.trajectory.rows = fine.trajectory.rows.into_iter().step_by(every).collect();
+    Some(fine)
+}
+
+fn distance(a: &Run, b: &Run) -> f64 {
+    let rows = a.trajectory.rows.iter().zip(&b.trajectory.rows);
+    rows.map(|(a, b)| (a[1] - b[1]).hypot(a[2] - b[2])).fold(0.0, f64::max)
+}
