@@ -4,6 +4,7 @@
 
 mod equations;
 mod files;
+pub mod html;
 mod summary;
 
 use std::io::{self, Write};

@@ -8,10 +8,10 @@ use std::process::{Command, Output};
 
 use ancf::counts::Counts;
 use ancf::error::Error;
+use ancf::report::html::{Html, escape};
 use ancf::scene::{Element, Method};
 use ancf::study::error_time::case::{CASES, Case};
 use ancf::study::error_time::front::{fastest, front, leads, ratio};
-use ancf::study::error_time::html::{Html, escape};
 use ancf::study::error_time::peers;
 use ancf::study::error_time::point::{Errors, OURS, Point, Status};
 use ancf::study::error_time::reference::Reference;

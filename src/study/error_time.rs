@@ -9,7 +9,6 @@ pub mod converge;
 pub mod economies;
 pub mod front;
 pub mod group;
-pub mod html;
 pub mod machine;
 mod page;
 pub mod peers;

@@ -7,6 +7,7 @@ pub mod error_time;
 mod figure;
 mod locking;
 mod oracle;
+mod page;
 mod pendulum;
 mod pinned;
 mod scissors;
@@ -16,6 +17,7 @@ mod signal;
 pub mod stability;
 mod table;
 
+use std::cell::RefCell;
 use std::path::Path;
 use std::time::Instant;
 
@@ -86,6 +88,11 @@ impl std::fmt::Display for Balance {
 /// the runs themselves.
 pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let clock = Instant::now();
+    let printed = RefCell::new(String::new());
+    let print = |text: &str| {
+        printed.borrow_mut().push_str(text);
+        print(text)
+    };
     // First, so that a folder that cannot be written is not found after the work.
     let mut files = Files::in_folder(out)?;
     let (oracle, pinned, continuum) = (oracle::load()?, pinned::load()?, continuum::load()?);
@@ -120,13 +127,19 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let claims = claims::measure(&structure);
     print(&table::claims(&claims))?;
 
+    let options = error_time::Options { quick: true, ..Default::default() };
+    error_time::part(&options, out, &mut files, print)?;
+
     let failed = rows.iter().chain(&bars).chain(&structures).filter(|row| !row.holds()).map(ToString::to_string);
     let failed: Vec<String> = failed.chain(energy.iter().filter(|e| !e.holds()).map(ToString::to_string)).collect();
-    for (name, svg) in
-        pendulum::pictures(&models, &oracle.rigid, &continuum)?.into_iter().chain(section4::pictures(&structure)?)
-    {
+    let pictures: Vec<(&'static str, String)> = pendulum::pictures(&models, &oracle.rigid, &continuum)?
+        .into_iter()
+        .chain(section4::pictures(&structure)?)
+        .collect();
+    for (name, svg) in &pictures {
         files.write(name, |file| file.write_all(svg.as_bytes()))?;
     }
+    files.write("report.html", |file| file.write_all(page::page(&printed.borrow(), &pictures).as_bytes()))?;
     files.write("pendulum.csv", |file| report::write_csv(file, &pendulum::curves(&models)))?;
     files.write("scissors.csv", |file| report::write_csv(file, &section4::curves(&structure)))?;
     let report = Report {

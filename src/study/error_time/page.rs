@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use super::Study;
 use super::economies::Economy;
 use super::group::Group;
-use super::html::Html;
 use super::point::{Point, Status};
 use super::text;
 use super::timing::RUNS;
+use crate::report::html::Html;
 
 /// The page with the picture.
 pub fn page(study: &Study, svg: &str) -> String {

@@ -26,7 +26,7 @@ const FAILURES: usize = 6;
 const OUTCLASSED: f64 = 0.8;
 
 /// A mesh whose error in space is this many times the largest error that anybody asks for is not tried.
-const HOPELESS: f64 = 3.0;
+const HOPELESS: f64 = 10.0;
 
 /// How often the steps between one that is just too long for a decade of error and one that is short enough are halved.
 const BISECTIONS: usize = 2;

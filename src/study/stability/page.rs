@@ -2,7 +2,7 @@
 
 use super::row::Row;
 use super::{Study, Swept};
-use crate::study::error_time::html::Html;
+use crate::report::html::Html;
 
 /// The page.
 pub fn page(study: &Study, svg: &str) -> String {

@@ -1,4 +1,4 @@
-//! HTML, as far as the page needs it. Every text is escaped.
+//! HTML, as far as the pages need it. Every text is escaped.
 
 /// A page in the making.
 #[derive(Debug, Default)]
@@ -39,6 +39,11 @@ impl Html {
         );
     }
 
+    /// Text whose columns stand below one another.
+    pub fn preformatted(&mut self, text: &str) {
+        self.0 += &format!("<div class=\"wide\"><pre>{}</pre></div>\n", escape(text));
+    }
+
     /// A picture that this program has drawn; as it is.
     pub fn svg(&mut self, svg: &str) {
         self.0 += &format!("<figure>{svg}</figure>\n");
@@ -58,7 +63,7 @@ impl Html {
 const STYLE: &str = "body{font:16px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#222;background:#fff}\
 table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}\
 th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid #ddd;vertical-align:top}\
-th{border-bottom:2px solid #888}figure{margin:1rem 0}svg{max-width:100%;height:auto}.wide{overflow-x:auto}";
+th{border-bottom:2px solid #888}figure{margin:1rem 0}svg{max-width:100%;height:auto}pre{font-size:.8rem}.wide{overflow-x:auto}";
 
 /// Text with the characters that mean something in HTML written as such.
 pub fn escape(text: &str) -> String {
