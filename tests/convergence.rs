@@ -51,15 +51,19 @@ fn the_suddenly_heated_tip_converges_slowly_with_the_mesh() {
 }
 
 /// With 8 elements sudden gravity starts a kinked wave whose high frequencies no practical step resolves: halving the step
-/// gains now a factor of four, now hardly anything. This prints what the README reports, and holds the order over the
+/// gains now a factor of four, now hardly anything, with Gauss collocation too. This prints what the README reports, and holds the order over the
 /// whole range of steps.
 #[test]
 fn observed_order_with_eight_elements() {
     let largest = |a: &[[f64; 2]], b: &[[f64; 2]]| a.iter().zip(b).map(|(a, b)| distance(*a, *b)).fold(0.0, f64::max);
-    let reference = tips("pendulum-flexible", 8, Method::Explicit, 2.5e-6, 0.5);
-    for method in [Method::EnergyMomentum, Method::GeneralizedAlpha, Method::Explicit] {
+    let reference = tips("pendulum-flexible", 8, Method::Nystrom, 1.25e-5, 0.5);
+    let methods = [Method::EnergyMomentum, Method::GeneralizedAlpha, Method::Explicit, Method::Gauss, Method::Nystrom];
+    for method in methods {
         let steps: Vec<f64> = match method {
             Method::Explicit => vec![5e-5, 2.5e-5, 1.25e-5],
+            // Of order four as soon as a step resolves every wave; an explicit one has to.
+            Method::Nystrom => vec![1e-4, 5e-5],
+            Method::Gauss => vec![5e-3, 2.5e-3, 1.25e-3, 6.25e-4],
             _ => vec![1e-3, 5e-4, 2.5e-4, 1.25e-4, 6.25e-5],
         };
         let errors: Vec<f64> =
@@ -67,7 +71,8 @@ fn observed_order_with_eight_elements() {
         let orders: Vec<f64> = errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect();
         println!("{method}: errors {errors:?} m at {steps:?} s, orders {orders:?}");
         let overall = orders.iter().sum::<f64>() / orders.len() as f64;
-        assert!((1.3..2.1).contains(&overall), "{method}: {overall:.2} over all, {orders:?}");
+        let expected = if method == Method::Nystrom { 3.0..4.5 } else { 1.3..2.3 };
+        assert!(expected.contains(&overall), "{method}: {overall:.2} over all, {orders:?}");
     }
 }
 
