@@ -202,6 +202,18 @@ fn gauss_keeps_the_energy() {
     }
 }
 
+/// An attempt that failed leaves nothing behind: from a longest step of a quarter of a second, for which Newton's iteration finds no
+/// solution, shorter ones are found.
+#[test]
+fn adaptive_steps_recover_from_attempts_that_fail() {
+    for tolerance in [1e-2, 1e-4, 1e-6] {
+        let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+        (scene.time.method, scene.time.step, scene.time.end) = (Method::GaussAdaptive, 0.25, 0.5);
+        (scene.time.tolerance, scene.output.interval, scene.output.energy) = (tolerance, Some(0.25), false);
+        assert!(must_run(&scene).counts.rejected > 0);
+    }
+}
+
 /// The work of forces and heat is of the methods' order: with a heat and a force that grow, halving the step takes the balance
 /// down by 2⁴ and more, where the ends of the steps alone would give 2².
 #[test]

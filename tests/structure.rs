@@ -131,9 +131,11 @@ fn place_and_direction_do_not_matter() {
 /// The stability bound is above the true largest frequency, and not by so much that it costs steps.
 #[test]
 fn the_frequency_bound_is_a_bound_and_close() {
-    for (elements, held) in [(1, true), (4, true), (4, false), (16, true)] {
+    for (elements, held, height) in
+        [(1, true, 0.02), (3, true, 0.1), (4, true, 0.02), (4, false, 0.02), (16, true, 0.02), (23, false, 0.02)]
+    {
         let mut scene = Scene::builtin("pendulum-2d").unwrap();
-        scene.rods[0].elements = elements;
+        (scene.rods[0].elements, scene.section.height) = (elements, height);
         if !held {
             scene.supports = Vec::<Support>::new();
         }

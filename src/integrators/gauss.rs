@@ -64,6 +64,8 @@ struct Memory {
     /// What should vanish.
     value: [DVector<f64>; 2],
     a: [DVector<f64>; 2],
+    /// That of the last stage of the step before, from which an attempt that failed is made again.
+    a_before: DVector<f64>,
     elastic: DVector<f64>,
     load: [DVector<f64>; 2],
     thermal: [Vec<ThermalStrain>; 2],
@@ -85,6 +87,7 @@ impl Gauss {
             improvement: pair(),
             value: pair(),
             a: pair(),
+            a_before: zeros(),
             elastic: zeros(),
             load: pair(),
             thermal: [thermal(), thermal()],
@@ -184,6 +187,7 @@ impl Embedded for Gauss {
             newton.forget();
             *matrix_step = dt;
         }
+        memory.a_before.copy_from(&memory.a[1]);
         for (stage, c) in C.into_iter().enumerate() {
             let t = t_1 - (1.0 - c) * dt;
             structure.thermal_strains_into(t, &mut memory.thermal[stage]);
@@ -241,7 +245,10 @@ impl Embedded for Gauss {
         structure.farthest(middle)
     }
 
-    fn undo(&mut self) {}
+    fn undo(&mut self) {
+        let Memory { a: [_, last], a_before, .. } = &mut self.memory;
+        last.copy_from(a_before);
+    }
 
     /// By the rule that the stages are points of: where forces are linear in the displacement it is exactly what the method's step
     /// changes the energy by, resolved or not.

@@ -1,6 +1,7 @@
 //! Work of forces and heat over a step, by Gauss's rule with two points: of order four, as the methods are that ask for it.
 //!
-//! W = ∫ (f·v − ∫ σ : ε̇_T dV) dt. Between two times of a history force and thermal strain are linear in time.
+//! W = ∫ (f·v − ∫ σ : ε̇_T dV) dt. Between two times of a history force and thermal strain are linear in time; where a corner of one
+//! lies inside of a step the order is lost there.
 
 use nalgebra::DVector;
 

@@ -2,14 +2,14 @@
 
 use nalgebra::{DMatrix, DVector};
 
-/// How well the eigenvalue is to be known, of itself.
-const ENOUGH: f64 = 1e-3;
+/// How well the eigenvalue is to be known, of itself: well enough for the iteration not to rest at one below the largest.
+const ENOUGH: f64 = 1e-6;
 
-/// Iterations at most; the edge of a rod's spectrum takes 20 to 60.
+/// Iterations at most.
 const MOST: usize = 200;
 
 /// Iterations from one look at the eigenvalue to the next.
-const STRIDE: usize = 5;
+const STRIDE: usize = 20;
 
 /// K and M, both symmetric, M positive definite.
 pub trait Pencil {
@@ -26,8 +26,9 @@ pub trait Pencil {
     fn solve_mass(&mut self, x: &mut DVector<f64>);
 }
 
-/// The largest eigenvalue, and by how much it may be missed: between the two sums there is an eigenvalue for certain, and none
-/// above but for a start without a part of it. `None` where it does not settle.
+/// The largest eigenvalue, and by how much it may be missed: within that distance there is an eigenvalue for certain. That it is the
+/// largest is not: an iteration can rest at one below for a while, which the accuracy asked for makes unlikely. `None` where it does not
+/// settle.
 pub fn largest_eigenvalue(pencil: &mut impl Pencil) -> Option<(f64, f64)> {
     let n = pencil.size();
     // Anything without a pattern of its own.
@@ -108,11 +109,11 @@ mod tests {
 
     #[test]
     fn the_largest_eigenvalue_of_springs_in_a_row() {
-        for n in [1, 2, 7, 400] {
+        for n in [1, 2, 7, 100] {
             let exact = 2.0 * (0.5 * std::f64::consts::PI * n as f64 / (n + 1) as f64).sin().powi(2);
             let (found, missed) = largest_eigenvalue(&mut Springs(n)).unwrap();
             assert!(
-                (found - exact).abs() <= missed.max(1e-12) && missed <= 1e-3 * found,
+                (found - exact).abs() <= missed.max(1e-12) && missed <= 1e-6 * found,
                 "{n}: {found} ± {missed}, {exact}"
             );
             assert!(found <= exact * (1.0 + 1e-12));

@@ -23,9 +23,11 @@ pub fn front<'a>(points: &[&'a Point]) -> Vec<&'a Point> {
     sorted.into_iter().map(|(_, _, point)| point).collect()
 }
 
-/// The fastest point that is proved to be at least this accurate, see [`Point::bound`].
+/// The fastest point that is proved to be at least this accurate, see [`Point::bound`]; those that were timed only once do not
+/// count.
 pub fn fastest<'a>(points: &[&'a Point], error: f64) -> Option<&'a Point> {
-    let enough = points.iter().copied().filter(|point| point.bound().is_some_and(|bound| bound <= error));
+    let timed_well = points.iter().copied().filter(|point| point.status != Status::Outclassed);
+    let enough = timed_well.filter(|point| point.bound().is_some_and(|bound| bound <= error));
     let timed = enough.filter_map(|point| Some((point.seconds()?, point)));
     timed.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, point)| point)
 }

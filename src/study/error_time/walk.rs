@@ -37,7 +37,7 @@ const MOST_RUNS_OVER: f64 = 2.0;
 /// How far the grid reaches.
 #[derive(Clone, Copy, Debug)]
 pub struct Reach {
-    /// A run that takes longer is the last of its mesh, s.
+    /// A run whose finer one would take longer is the last of its mesh, s.
     pub longest_run: f64,
     /// Elements of each rod at most.
     pub finest_mesh: usize,
