@@ -1,4 +1,5 @@
-//! The elements of [`equations`](crate::equations), arranged for speed: [`Ancf`] is the paper's, [`Cable`] its competitor.
+//! The elements of [`equations`](crate::equations), arranged for speed: [`Ancf`] is the paper's, [`Cable`] its competitor;
+//! and, not for speed, [`PrintedShear`], the paper's as printed.
 //!
 //! A structure asks both for the same things ([`Beam`]). They take displacements u = e − e₀ and thermal strains in the
 //! rod's own axes, and subtract no 1 from a number near 1, so that small strains keep their digits.
@@ -8,12 +9,14 @@
 mod ancf;
 mod cable;
 mod plane;
+mod printed;
 
 use nalgebra::{SMatrix, SVector, Vector2};
 
 pub use ancf::{Ancf, Law};
 pub use cable::Cable;
 pub use plane::LANES;
+pub use printed::PrintedShear;
 
 /// Thermal strain (along, across) in the rod's own axes; both α_T ΔT in the 2D model, (α_T ΔT, 0) in the 1D one.
 pub type ThermalStrain = [f64; 2];
@@ -50,6 +53,9 @@ pub trait Beam<const N: usize> {
     /// Its nodal vectors in the order of e. The first two are node i's, the last two node k's, and elements of one rod share
     /// them there.
     const VECTORS: &'static [NodalVector];
+
+    /// Least size of the numbers that a strain is the difference of: 0 where those are displacements alone, as small as the strain.
+    const ROUNDED: f64 = 0.0;
 
     /// Stretches less 1 (along, across) at which a thermal strain makes no stress.
     fn stress_free(eps_T: ThermalStrain) -> [f64; 2];

@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use crate::scene::{Constraints, Method, Quantity, Scene};
+use crate::scene::{Constraints, Form, Method, Quantity, Scene};
 
 /// What is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -33,7 +33,7 @@ impl Plan {
         let asked = |quantity| scene.probes.iter().any(|probe| probe.of.contains(&quantity));
         Plan {
             heat: scene.rods.iter().any(|rod| scene.heat(rod).is_some()),
-            poisson: scene.rods.iter().any(|rod| scene.material(rod).nu != 0.0),
+            poisson: has_poisson(scene) || scene.form == Form::PrintedShear,
             weight: scene.gravity != [0.0; 2],
             energy: scene.has_energies(),
             acceleration: moves && (asked(Quantity::Acceleration) || asked(Quantity::Reaction)),
@@ -68,7 +68,11 @@ impl Plan {
             part(
                 "Poisson's terms, λ tr ε",
                 self.poisson,
-                if self.poisson { "a material has ν ≠ 0" } else { "every material has ν = 0" },
+                match (self.poisson, has_poisson(scene)) {
+                    (true, true) => "a material has ν ≠ 0",
+                    (true, false) => "the printed form computes every term as it stands",
+                    (false, _) => "every material has ν = 0",
+                },
             ),
             part("weight, Q_w", self.weight, if self.weight { "there is `gravity`" } else { "there is no `gravity`" }),
             part(
@@ -113,6 +117,11 @@ impl Plan {
             ),
         ]
     }
+}
+
+/// Whether a material strains across its stress.
+fn has_poisson(scene: &Scene) -> bool {
+    scene.rods.iter().any(|rod| scene.material(rod).nu != 0.0)
 }
 
 /// One part of a plan.

@@ -28,7 +28,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 pub use builtin::{builtin_names, builtin_text};
-pub use choice::{Constraints, Direction, Element, Method, Poisson, Quantity, Schema, Start, ThermalModel};
+pub use choice::{Constraints, Direction, Element, Form, Method, Poisson, Quantity, Schema, Start, ThermalModel};
 pub use motion::Motion;
 pub(crate) use parse::{Refused, read_json};
 pub use scissors::Scissors;
@@ -75,6 +75,9 @@ pub struct Scene {
     /// How pins and supports are kept.
     #[serde(default)]
     pub constraints: Constraints,
+    /// Which form of the paper's element all rods have.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub form: Form,
     /// How long, in which steps, by which method.
     #[serde(deserialize_with = "shape::object")]
     pub time: Time,

@@ -100,6 +100,8 @@ pub struct Structure {
     unit_forces: DVector<f64>,
     /// Length of the shortest element, m.
     shortest: f64,
+    /// Least size of the numbers that a strain is the difference of.
+    rounded: f64,
 }
 
 /// Both ends of a step, with the thermal strains of the rods.
@@ -232,38 +234,6 @@ impl Structure {
             Kind::Multiplier => 0.0,
         };
         u.iter().zip(&self.kinds).map(size).fold(0.0, |largest, size| if size <= largest { largest } else { size })
-    }
-
-    /// Whether no entry of a residual at `u` and the rods' thermal strains is above `times` the rounding error of the elastic
-    /// forces.
-    ///
-    /// A strain is made of differences of u over an element's length l, of slopes and of the thermal strain: it carries
-    /// ε_mach times the largest of |u|/l, |slope| and |ε_T|, and a force that strain's share of the force of a unit strain.
-    pub fn within_rounding(
-        &self,
-        residual: &DVector<f64>,
-        u: &DVector<f64>,
-        thermal: &[ThermalStrain],
-        times: f64,
-    ) -> bool {
-        let size = |(u, kind): (&f64, &Kind)| match kind {
-            Kind::Position => u.abs() / self.shortest,
-            Kind::Slope(_) => u.abs(),
-            // During an iteration λ stands in its place: newtons, no strain.
-            Kind::Multiplier => 0.0,
-        };
-        let heat = thermal.iter().flatten().map(|strain| strain.abs()).fold(0.0, f64::max);
-        let size = u.iter().zip(&self.kinds).map(size).fold(heat, f64::max);
-        let floor = times * f64::EPSILON * size;
-        let mut entries = residual.iter().zip(&self.unit_forces).zip(&self.kinds);
-        entries.all(|((value, unit), kind)| *kind == Kind::Multiplier || value.abs() <= floor * unit)
-    }
-
-    /// Rounding error of an energy, J: ε_mach times the strain energy of a strain of 1.
-    pub fn energy_rounding(&self) -> f64 {
-        let positions = self.unit_forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
-        let length: f64 = self.rods.iter().map(|rod| rod.elements as f64 * rod.along.norm()).sum();
-        f64::EPSILON * length * positions.map(|(force, _)| *force).fold(0.0, f64::max)
     }
 
     /// Elastic forces into `sum`, at the rods' thermal strains.

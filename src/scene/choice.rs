@@ -33,6 +33,18 @@ words! {
 }
 
 words! {
+    /// Which form of the paper's element, where the paper is wrong.
+    #[derive(Default)]
+    pub enum Form {
+        /// The energy that is the same in every frame.
+        #[default]
+        Consistent = "consistent",
+        /// The shear counted once, as printed (E3): inclined rods lose stiffness. To compare, and slow.
+        PrintedShear = "printed-shear",
+    }
+}
+
+words! {
     /// Where Poisson's terms act.
     #[derive(Default)]
     pub enum Poisson {

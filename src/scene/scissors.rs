@@ -6,8 +6,8 @@ use std::fmt::Display;
 use super::topology::MOST_ELEMENTS;
 use super::validate::require;
 use super::{
-    Constraints, Direction, Element, Force, Material, Method, Output, Poisson, Probe, Quantity, Rod, Scene, Schema,
-    Section, Start, Support, Temperature, ThermalModel, Time,
+    Constraints, Direction, Element, Force, Form, Material, Method, Output, Poisson, Probe, Quantity, Rod, Scene,
+    Schema, Section, Start, Support, Temperature, ThermalModel, Time,
 };
 use crate::error::Result;
 
@@ -83,6 +83,7 @@ impl Scissors {
             temperature: self.temperature(),
             motion: None,
             constraints: Constraints::Condensed,
+            form: Form::Consistent,
             time: Time {
                 end: 3.0,
                 step: 2.5e-4,

@@ -10,7 +10,7 @@ use super::statics::check_statics;
 use super::supports::check_supports;
 use super::time::{check_output, check_time};
 use super::topology::check_topology;
-use super::{Constraints, Material, Method, Scene, Section};
+use super::{Constraints, Element, Form, Material, Method, Poisson, Rod, Scene, Section};
 
 /// A value that is not allowed: the path of its key, the value, and what is allowed.
 #[derive(Debug)]
@@ -62,6 +62,7 @@ pub(super) fn check(scene: &Scene) -> Check {
     check_loads(scene)?;
     check_heat(scene)?;
     check_constraints(scene)?;
+    check_form(scene)?;
     check_time(&scene.time)?;
     check_statics(scene)?;
     check_motion(scene)?;
@@ -97,4 +98,16 @@ fn check_constraints(scene: &Scene) -> Check {
         scene.time.method
     );
     require(holds, "constraints", "\"multipliers\"", allowed)
+}
+
+/// The printed shear term is that of the paper's element, as printed.
+fn check_form(scene: &Scene) -> Check {
+    let printed = |rod: &Rod| rod.element == Element::Ancf && rod.poisson == Poisson::Full;
+    let other = scene.rods.iter().find(|rod| !printed(rod));
+    let holds = scene.form == Form::Consistent || other.is_none();
+    let name = other.map_or("", |rod| &rod.name);
+    let allowed = format_args!(
+        "\"consistent\"; \"printed-shear\" needs rods with \"element\": \"ancf\" and \"poisson\": \"full\" (not so: `{name}`)"
+    );
+    require(holds, "form", "\"printed-shear\"", allowed)
 }

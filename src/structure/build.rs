@@ -50,6 +50,7 @@ impl Structure {
         let mut structure = Structure {
             plan: *plan,
             shortest: rods.iter().map(|rod| rod.along.norm()).fold(f64::INFINITY, f64::min),
+            rounded: rods.iter().map(|rod| rod.mesh.rounded()).fold(0.0, f64::max),
             weights: DVector::from_iterator(kinds.len(), kinds.iter().map(Kind::weight)),
             rods: rods.into(),
             kinds,

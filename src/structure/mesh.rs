@@ -78,6 +78,9 @@ pub(super) trait Mesh: Debug + Send + Sync {
     /// Force (N) of an axial strain of 1, or of a slope of 1 where that takes more.
     fn unit_force(&self) -> f64;
 
+    /// Least size of the numbers that a strain is the difference of.
+    fn rounded(&self) -> f64;
+
     /// Stretches less 1 (along, across) at which a thermal strain makes no stress.
     fn stress_free(&self, eps_t: ThermalStrain) -> [f64; 2];
 
@@ -304,6 +307,10 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
 
     fn unit_force(&self) -> f64 {
         self.unit_force
+    }
+
+    fn rounded(&self) -> f64 {
+        B::ROUNDED
     }
 
     fn stress_free(&self, eps_t: ThermalStrain) -> [f64; 2] {

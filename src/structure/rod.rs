@@ -1,5 +1,7 @@
 //! A rod of equal elements: its nodal vectors among the unknowns, its elements, its heat.
 
+use std::fmt::Debug;
+
 use nalgebra::Vector2;
 
 use super::Kind;
@@ -7,9 +9,9 @@ use super::mesh::{Components, Equal, Mesh};
 use crate::equations::force::Element;
 use crate::equations::shape::Vector14;
 use crate::equations::{cable, inertia, material};
-use crate::kernel::{Ancf, Cable, Law, Meaning, NodalVector, ThermalStrain};
+use crate::kernel::{Ancf, Beam, Cable, Law, Meaning, NodalVector, PrintedShear, ThermalStrain};
 use crate::plan::Plan;
-use crate::scene::{self, Scene, Temperature, ThermalModel};
+use crate::scene::{self, Form, Scene, Temperature, ThermalModel};
 
 /// A rod with what all of its elements share.
 #[derive(Debug)]
@@ -100,21 +102,43 @@ impl Rod {
 /// Elements of the paper.
 fn ancf(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn Mesh> {
     let (material, section) = (scene.material(rod), scene.section(rod));
-    let lambda = material::lambda(material.youngs_modulus, material.nu);
-    let mu = material::mu(material.youngs_modulus, material.nu);
+    let (lambda, mu) = lame(material);
+    let (l, h, w, theta) = (along.norm(), section.height, section.width, along.y.atan2(along.x));
+    match scene.form {
+        Form::Consistent => {
+            let law = Law { lambda, mu, poisson: rod.poisson };
+            let beam = Ancf::new(l, h, w, theta, law);
+            equal(if plan.poisson { beam.with_poissons_terms(law, h, w) } else { beam }, scene, rod, along)
+        }
+        Form::PrintedShear => equal(PrintedShear::new(l, h, w, theta, lambda, mu), scene, rod, along),
+    }
+}
+
+/// Equal elements of the paper, in one form or the other.
+fn equal<B: Beam<14> + Debug + Send + Sync + 'static>(
+    beam: B,
+    scene: &Scene,
+    rod: &scene::Rod,
+    along: Vector2<f64>,
+) -> Box<dyn Mesh> {
+    let (material, section) = (scene.material(rod), scene.section(rod));
     // Its place does not matter to mass and weight, so e₀ stays out.
     let element = Element { l: along.norm(), h: section.height, w: section.width, e_0: Vector14::zeros() };
-    let Element { l, h, w, .. } = element;
-    let law = Law { lambda, mu, poisson: rod.poisson };
-    let beam = Ancf::new(l, h, w, along.y.atan2(along.x), law);
+    let (lambda, mu) = lame(material);
     Box::new(Equal {
-        beam: if plan.poisson { beam.with_poissons_terms(law, h, w) } else { beam },
+        beam,
         along,
         mass: inertia::M(material.rho, &element),
         gravity: inertia::Q_w_gravity(&Vector2::from(scene.gravity), material.rho, &element),
-        unit_force: (lambda + 2.0 * mu) * h * w,
+        unit_force: (lambda + 2.0 * mu) * section.height * section.width,
         places: Vec::new(),
     })
+}
+
+/// λ and μ, Pa.
+fn lame(material: &scene::Material) -> (f64, f64) {
+    let scene::Material { youngs_modulus, nu, .. } = *material;
+    (material::lambda(youngs_modulus, nu), material::mu(youngs_modulus, nu))
 }
 
 /// Elements of the paper's competitor.

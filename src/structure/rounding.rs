@@ -1,18 +1,39 @@
 //! What rounding errors of the elastic forces amount to.
 //!
-//! A strain carries ε_mach times the largest of |u|/l and of the slopes' changes ([`Structure::within_rounding`]), which a stiff rod
-//! makes a force. Where that is no longer small beside the loads a motion follows the rounding; in statics a slender rod turns it
+//! A strain is made of differences of u over an element's length l, of slopes and of the thermal strain: it carries ε_mach times the
+//! largest of |u|/l, |slope| and |ε_T| ([`Beam::ROUNDED`](crate::kernel::Beam::ROUNDED) at least), which a stiff rod makes a force. Where that is no longer small beside the loads a motion follows the rounding; in statics a slender rod turns it
 //! into a displacement.
 
 use nalgebra::DVector;
 
 use super::{Kind, Matrix, Structure};
+use crate::kernel::ThermalStrain;
 
 impl Structure {
+    /// Whether no entry of a residual at `u` and the rods' thermal strains is above `times` the rounding error of the elastic
+    /// forces: that of a strain, of the force of a unit strain.
+    pub fn within_rounding(
+        &self,
+        residual: &DVector<f64>,
+        u: &DVector<f64>,
+        thermal: &[ThermalStrain],
+        times: f64,
+    ) -> bool {
+        let heat = thermal.iter().flatten().map(|strain| strain.abs()).fold(0.0, f64::max);
+        let floor = times * self.rounding_strain(u, heat);
+        let mut entries = residual.iter().zip(&self.unit_forces).zip(&self.kinds);
+        entries.all(|((value, unit), kind)| *kind == Kind::Multiplier || value.abs() <= floor * unit)
+    }
+
+    /// Rounding error of an energy, J: ε_mach times the strain energy of a strain of 1.
+    pub fn energy_rounding(&self) -> f64 {
+        let length: f64 = self.rods.iter().map(|rod| rod.elements as f64 * rod.along.norm()).sum();
+        f64::EPSILON * length * self.largest_unit_force()
+    }
+
     /// The largest force that rounding of the strains at `u` may cause, N.
     pub fn rounding_force(&self, u: &DVector<f64>) -> f64 {
-        let positions = self.unit_forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
-        positions.map(|(force, _)| *force).fold(0.0, f64::max) * self.rounding_strain(u, 0.0)
+        self.largest_unit_force() * self.rounding_strain(u, 0.0)
     }
 
     /// How far rounding of the strains may move an equilibrium, of how far it is from the start, or of what heat would stretch an
@@ -34,13 +55,19 @@ impl Structure {
         (far > 0.0).then(|| farthest / far)
     }
 
+    fn largest_unit_force(&self) -> f64 {
+        let positions = self.unit_forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
+        positions.map(|(force, _)| *force).fold(0.0, f64::max)
+    }
+
     /// ε_mach times the largest of |u|/l, of the slopes' changes and of the thermal strain `hottest`.
     fn rounding_strain(&self, u: &DVector<f64>, hottest: f64) -> f64 {
         let size = |(u, kind): (&f64, &Kind)| match kind {
             Kind::Position => u.abs() / self.shortest,
             Kind::Slope(_) => u.abs(),
+            // During an iteration λ stands in its place: newtons, no strain.
             Kind::Multiplier => 0.0,
         };
-        f64::EPSILON * u.iter().zip(&self.kinds).map(size).fold(hottest, f64::max)
+        f64::EPSILON * u.iter().zip(&self.kinds).map(size).fold(hottest.max(self.rounded), f64::max)
     }
 }
