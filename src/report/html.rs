@@ -49,6 +49,11 @@ impl Html {
         self.0 += &format!("<figure>{svg}</figure>\n");
     }
 
+    /// The same with what stands below it.
+    pub fn figure(&mut self, svg: &str, caption: &str) {
+        self.0 += &format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", escape(caption));
+    }
+
     /// The whole page.
     pub fn page(self, title: &str) -> String {
         let (title, body) = (escape(title), self.0);
@@ -63,7 +68,7 @@ impl Html {
 const STYLE: &str = "body{font:16px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#222;background:#fff}\
 table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}\
 th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid #ddd;vertical-align:top}\
-th{border-bottom:2px solid #888}figure{margin:1rem 0}svg{max-width:100%;height:auto}pre{font-size:.8rem}.wide{overflow-x:auto}";
+th{border-bottom:2px solid #888}figure{margin:1rem 0}figcaption{font-size:.8rem;color:#666}svg{max-width:100%;height:auto}pre{font-size:.8rem}.wide{overflow-x:auto}";
 
 /// Text with the characters that mean something in HTML written as such.
 pub fn escape(text: &str) -> String {

@@ -1,4 +1,4 @@
-//! Pictures as SVG: curves over time in panels above each other, and a structure at several instants.
+//! Pictures as SVG: curves over time in panels above each other.
 
 use std::ops::Range;
 
@@ -34,6 +34,10 @@ pub enum Stroke {
     Line,
     /// Thin and pale, behind what matters more.
     Faint,
+    /// Thin, for what is on top of it.
+    Thin,
+    /// Broad and pale, so that a line on top of it does not hide it.
+    Broad,
     /// A dot a value.
     Dots,
 }
@@ -47,7 +51,7 @@ pub struct Panel<'a> {
 }
 
 /// Okabe and Ito's colours, told apart by the colour-blind too.
-const PALETTE: [RGBColor; 6] = [
+pub(super) const PALETTE: [RGBColor; 6] = [
     RGBColor(0, 0, 0),
     RGBColor(230, 159, 0),
     RGBColor(0, 114, 178),
@@ -56,9 +60,9 @@ const PALETTE: [RGBColor; 6] = [
     RGBColor(213, 94, 0),
 ];
 
-const WIDTH: u32 = 960;
+pub(super) const WIDTH: u32 = 960;
 const PANEL_HEIGHT: u32 = 320;
-const TITLE_HEIGHT: u32 = 44;
+pub(super) const TITLE_HEIGHT: u32 = 44;
 
 /// Draws the panels under a title.
 ///
@@ -72,7 +76,9 @@ pub fn svg(title: &str, panels: &[Panel]) -> Result<String> {
     Ok(text)
 }
 
-type DrawingResult<'a> = std::result::Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
+/// What drawing ends with.
+pub(super) type DrawingResult<'a> =
+    std::result::Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
 fn draw<'a>(title: &str, panels: &[Panel], backend: SVGBackend<'a>) -> DrawingResult<'a> {
     let root = backend.into_drawing_area();
@@ -114,6 +120,8 @@ fn draw_panel<'a>(
         chart.draw_series(error_bars(curve).map(|ends| PathElement::new(ends, colour.stroke_width(1))))?;
         let style = match curve.stroke {
             Stroke::Faint => colour.mix(0.4).stroke_width(1),
+            Stroke::Thin => colour.stroke_width(1),
+            Stroke::Broad => colour.mix(0.35).stroke_width(4),
             Stroke::Line => colour.stroke_width(2),
             Stroke::Dots => colour.filled(),
         };
@@ -189,65 +197,10 @@ fn envelope(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 }
 
 /// The range of the values, widened on either side by a fraction of itself.
-fn extent(values: impl Iterator<Item = f64>, margin: f64) -> Range<f64> {
+pub(super) fn extent(values: impl Iterator<Item = f64>, margin: f64) -> Range<f64> {
     let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(v), high.max(v)));
     let widen = margin * (high - low);
     low - widen..high + widen
-}
-
-/// A structure at one instant.
-pub struct Snapshot {
-    /// What stands above it.
-    pub title: String,
-    /// Its rods, from point to point, m.
-    pub rods: Vec<Vec<(f64, f64)>>,
-}
-
-const SNAPSHOT_COLUMNS: usize = 2;
-const SNAPSHOT_HEIGHT: u32 = 240;
-
-/// Draws snapshots beside and below each other, all to the same scale, x and y alike.
-///
-/// # Errors
-/// [`Error::Picture`] with the library's reason.
-pub fn snapshots(title: &str, snapshots: &[Snapshot]) -> Result<String> {
-    let mut text = String::new();
-    let rows = snapshots.len().div_ceil(SNAPSHOT_COLUMNS);
-    let height = TITLE_HEIGHT + SNAPSHOT_HEIGHT * rows as u32;
-    draw_snapshots(title, snapshots, rows, SVGBackend::with_string(&mut text, (WIDTH, height)))
-        .map_err(|reason| Error::Picture { title: title.to_string(), reason: reason.to_string() })?;
-    Ok(text)
-}
-
-fn draw_snapshots<'a>(title: &str, snapshots: &[Snapshot], rows: usize, backend: SVGBackend<'a>) -> DrawingResult<'a> {
-    const MARGIN: u32 = 10;
-    const LABELS: (u32, u32) = (30, 60);
-    const CAPTION: u32 = 22;
-    let root = backend.into_drawing_area();
-    root.fill(&WHITE)?;
-    let (head, body) = root.split_vertically(TITLE_HEIGHT);
-    head.titled(title, ("sans-serif", 20))?;
-    let points = || snapshots.iter().flat_map(|snapshot| snapshot.rods.iter().flatten());
-    let (x, y) = (extent(points().map(|point| point.0), 0.05), extent(points().map(|point| point.1), 0.05));
-    // One metre is as long on both axes: the axis with room to spare reaches further.
-    let width = f64::from(WIDTH / SNAPSHOT_COLUMNS as u32 - LABELS.1 - 2 * MARGIN);
-    let height = f64::from(SNAPSHOT_HEIGHT - LABELS.0 - CAPTION - 2 * MARGIN);
-    let pixel = ((x.end - x.start) / width).max((y.end - y.start) / height);
-    let (x, y) = (x.start..x.start + pixel * width, y.start..y.start + pixel * height);
-    for (area, snapshot) in body.split_evenly((rows, SNAPSHOT_COLUMNS)).iter().zip(snapshots) {
-        let mut chart = ChartBuilder::on(area)
-            .margin(MARGIN)
-            .caption(&snapshot.title, ("sans-serif", 15))
-            .x_label_area_size(LABELS.0)
-            .y_label_area_size(LABELS.1)
-            .build_cartesian_2d(x.clone(), y.clone())?;
-        chart.configure_mesh().y_desc("m").label_style(("sans-serif", 13)).light_line_style(WHITE).draw()?;
-        for (n, rod) in snapshot.rods.iter().enumerate() {
-            let style = PALETTE[1 + n % 2].stroke_width(2);
-            chart.draw_series(LineSeries::new(rod.iter().copied(), style).point_size(3))?;
-        }
-    }
-    root.present()
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ mod scissors;
 mod section3;
 mod section4;
 mod signal;
+mod snapshot;
 pub mod stability;
 mod table;
 

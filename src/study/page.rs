@@ -7,9 +7,9 @@ pub fn page(text: &str, pictures: &[(&'static str, String)]) -> String {
     let mut html = Html::default();
     html.paragraph("What the main job printed, then its pictures. main.json has the same numbers with all digits, the .csv files the curves.");
     html.preformatted(text);
+    html.heading("Pictures");
     for (name, svg) in pictures {
-        html.heading(name);
-        html.svg(svg);
+        html.figure(svg, name);
     }
     html.page("Peng et al. (2018): the heated pendulum and the deployable structure")
 }

@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::claims::WINDOW;
-use super::figure::{Curve, Panel, Snapshot, Stroke, snapshots, svg};
+use super::figure::{Curve, Panel, Stroke, svg};
 use super::scissors::{Family, Motion, RODS, STEP, Structure};
 use super::signal::Signal;
+use super::snapshot::{self, Name, Snapshot};
 use crate::error::{Error, Result};
 use crate::run::Trajectory;
 use crate::scene::Scene;
@@ -52,10 +53,11 @@ pub fn rows(structure: &Structure) -> Vec<Row> {
 pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
     let (flexible, heated, axis) = (&structure.fine.flexible, &structure.fine.axis_and_section, &structure.fine.axis);
     let curve = |name, colour, signal: &Signal| Curve::line(name, colour, signal.points());
+    let broad = |curve| Curve { stroke: Stroke::Broad, ..curve };
     let deflection = RODS.map(|rod| Panel {
         quantity: format!("deflection of {rod}, m"),
         curves: vec![
-            curve("flexible", FLEXIBLE, &flexible.deflection(rod)),
+            broad(curve("flexible", FLEXIBLE, &flexible.deflection(rod))),
             curve("2D heat", HEATED, &heated.deflection(rod)),
         ],
     });
@@ -77,10 +79,7 @@ pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
         ("figure8-y.svg", figure8(structure, 1)?),
         (
             "structure.svg",
-            snapshots(
-                "The flexible structure at six instants, a4 at the upper right",
-                &TIMES.map(|t| snapshot(flexible, t)),
-            )?,
+            snapshot::svg("The flexible structure at six instants", &TIMES.map(|t| snapshot(flexible, t)))?,
         ),
     ])
 }
@@ -96,29 +95,33 @@ fn temperature() -> Result<Panel<'static>> {
 /// Displacement, velocity and acceleration of a4 along one axis. The acceleration at an instant, which does not converge
 /// with the mesh, has its mean over 20 ms below it, and what numerical damping leaves of it.
 fn figure8(structure: &Structure, axis: usize) -> Result<String> {
-    let curves = |family: &Family, quantity: &str, stroke: Stroke, change: &dyn Fn(Signal) -> Signal| {
-        let models =
-            [("flexible", FLEXIBLE, &family.flexible), ("2D heat", HEATED, &family.axis_and_section)].into_iter();
-        let curve = |(name, colour, motion): (&'static str, usize, &Motion)| {
-            let [x, y] = motion.of_point("a4", quantity);
-            Curve { stroke, ..Curve::line(name, colour, change([x, y][axis].clone()).points()) }
-        };
-        models.map(curve).collect()
+    let curve = |name, colour, motion: &Motion, quantity: &str, stroke, change: &dyn Fn(Signal) -> Signal| {
+        let [x, y] = motion.of_point("a4", quantity);
+        Curve { stroke, ..Curve::line(name, colour, change([x, y][axis].clone()).points()) }
+    };
+    let lines = |family: &Family, quantity: &str, change: &dyn Fn(Signal) -> Signal| {
+        vec![
+            curve("flexible", FLEXIBLE, &family.flexible, quantity, Stroke::Broad, change),
+            curve("2D heat", HEATED, &family.axis_and_section, quantity, Stroke::Line, change),
+        ]
+    };
+    // What vibrates less is on top.
+    let vibrations = |family: &Family| {
+        vec![
+            curve("2D heat", HEATED, &family.axis_and_section, "a", Stroke::Faint, &|signal| signal),
+            curve("flexible", FLEXIBLE, &family.flexible, "a", Stroke::Thin, &|signal| signal),
+        ]
     };
     let (fine, damped) = (&structure.fine, &structure.damped);
     let start = fine.flexible.position("a4", 0.0)[axis];
     let name = ["x", "y"][axis];
-    let as_it_is = |signal| signal;
     let panel = |quantity: String, curves: Vec<Curve<'static>>| Panel { quantity, curves };
     let panels = [
-        panel(
-            format!("displacement along {name}, m"),
-            curves(fine, "", Stroke::Line, &|signal| signal.shifted(-start)),
-        ),
-        panel(format!("velocity along {name}, m/s"), curves(fine, "v", Stroke::Line, &as_it_is)),
-        panel(format!("acceleration along {name}, m/s²"), curves(fine, "a", Stroke::Faint, &as_it_is)),
-        panel("its mean over 20 ms, m/s²".into(), curves(fine, "a", Stroke::Line, &|signal| signal.mean(WINDOW))),
-        panel("numerically damped, m/s²".into(), curves(damped, "a", Stroke::Faint, &as_it_is)),
+        panel(format!("displacement along {name}, m"), lines(fine, "", &|signal| signal.shifted(-start))),
+        panel(format!("velocity along {name}, m/s"), lines(fine, "v", &|signal| signal)),
+        panel(format!("acceleration along {name}, m/s²"), vibrations(fine)),
+        panel("its mean over 20 ms, m/s²".into(), lines(fine, "a", &|signal| signal.mean(WINDOW))),
+        panel("acceleration, with damping, m/s²".into(), vibrations(damped)),
     ];
     let title = "acceleration at instants does not converge with the mesh, see its mean";
     svg(&format!("Figure 8: a4 along {name}; {title}"), &panels)
@@ -133,7 +136,15 @@ fn snapshot(motion: &Motion, t: f64) -> Snapshot {
     let rod = |from: &str, to: &str, k: usize| {
         vec![point(format!("{from}{k}")), point(format!("m{k}")), point(format!("{to}{}", k + 1))]
     };
-    Snapshot { title: format!("t = {t} s"), rods: (1..=3).flat_map(|k| [rod("a", "b", k), rod("b", "a", k)]).collect() }
+    let name = |rail: &str, k: usize, above: bool| {
+        let text = format!("{rail}{k}");
+        Name { at: point(text.clone()), text, above }
+    };
+    Snapshot {
+        title: format!("t = {t} s"),
+        rods: (1..=3).flat_map(|k| [rod("a", "b", k), rod("b", "a", k)]).collect(),
+        names: (1..=4).flat_map(|k| [name("a", k, true), name("b", k, false)]).collect(),
+    }
 }
 
 /// The curves of Figures 7 and 8 as a table, every 2 ms.

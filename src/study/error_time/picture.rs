@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use plotters::coord::Shift;
+use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 
 use super::front::front;
@@ -26,10 +27,16 @@ const PALETTE: [RGBColor; 8] = [
 const PEER: RGBColor = PALETTE[0];
 const AT_LIMIT: RGBColor = RGBColor(185, 185, 185);
 
+/// How much is left of a colour of points that were timed once.
+const PALE: f64 = 0.35;
+
+/// Above the last decade, for runs that failed: where they are drawn, and where the panel ends.
+const FAILED: [f64; 2] = [1.5, 2.2];
+
 const WIDTH: u32 = 1120;
 const PANEL_HEIGHT: u32 = 430;
 const TITLE_HEIGHT: u32 = 44;
-const LEGEND_HEIGHT: u32 = 62;
+const LEGEND_HEIGHT: u32 = 90;
 const COLUMNS: usize = 2;
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -80,9 +87,9 @@ fn draw<'a>(
     root.present()
 }
 
-/// Colours and shapes, on two lines.
+/// Colours, shapes and lines.
 fn draw_legend<'a>(area: &Area<'a>, groups: &[Group]) -> DrawingResult<'a> {
-    const LINES: [i32; 2] = [14, 42];
+    const LINES: [i32; 3] = [14, 42, 70];
     const CHARACTER: f64 = 7.2;
     let font = ("sans-serif", 14).into_font();
     let label = |x: &mut i32, line: i32, words: &str| {
@@ -104,17 +111,26 @@ fn draw_legend<'a>(area: &Area<'a>, groups: &[Group]) -> DrawingResult<'a> {
     }
     let mut x = 30;
     mark(area, (x, LINES[1]), Shape::Disc, PALETTE[4].filled())?;
-    label(&mut x, LINES[1], "ancf")?;
+    label(&mut x, LINES[1], "the paper's element")?;
     mark(area, (x, LINES[1]), Shape::Triangle, PALETTE[4].filled())?;
-    label(&mut x, LINES[1], "euler-bernoulli")?;
+    label(&mut x, LINES[1], "Euler–Bernoulli")?;
     mark(area, (x, LINES[1]), Shape::Disc, AT_LIMIT.stroke_width(1))?;
     label(&mut x, LINES[1], "at the reference's limit")?;
     area.draw(&Cross::new((x, LINES[1]), 4, PALETTE[4].stroke_width(2)))?;
     label(&mut x, LINES[1], "failed (at the time it took)")?;
-    for (words, pale) in [("Pareto front: ancf", false), ("euler-bernoulli", true)] {
-        area.draw(&PathElement::new([(x - 8, LINES[1]), (x + 10, LINES[1])], line(pale)))?;
+    mark(area, (x, LINES[1]), Shape::Disc, PALETTE[4].mix(PALE).filled())?;
+    label(&mut x, LINES[1], "pale: outclassed, timed once")?;
+    let mut x = 30;
+    let end = |x: i32| [(x - 8, LINES[2]), (x + 10, LINES[2])];
+    for (words, pale) in [("Pareto front of the paper's element", false), ("of Euler–Bernoulli", true)] {
+        area.draw(&PathElement::new(end(x), line(pale)))?;
         x += 8;
-        label(&mut x, LINES[1], words)?;
+        label(&mut x, LINES[2], words)?;
+    }
+    if let Some(peer) = peer {
+        area.draw(&DashedPathElement::new(end(x).into_iter(), 4, 4, PEER.stroke_width(1)))?;
+        x += 8;
+        label(&mut x, LINES[2], &format!("of {}", peer.program))?;
     }
     Ok(())
 }
@@ -137,7 +153,8 @@ fn draw_panel<'a>(area: &Area<'a>, scene: &str, groups: &[&Group]) -> DrawingRes
     let known = || points().filter_map(|point| Some((point.seconds()?, point.error()?)));
     let times = decades(known().map(|(time, _)| time).chain(points().filter_map(|point| point.failed_after)));
     let errors = decades(known().map(|(_, error)| error));
-    let top = errors.end;
+    let failed_at = FAILED[0] * errors.end;
+    let errors = errors.start..FAILED[1] * errors.end;
     let mut chart = ChartBuilder::on(area)
         .margin(10)
         .caption(scene, ("sans-serif", 16))
@@ -172,14 +189,14 @@ fn draw_panel<'a>(area: &Area<'a>, scene: &str, groups: &[&Group]) -> DrawingRes
             let colour = colour(point, shape);
             match (point.status, point.seconds(), point.error()) {
                 (Status::Failed, _, _) => {
-                    let at = (point.failed_after.unwrap_or(times.start).max(times.start), top);
+                    let at = (point.failed_after.unwrap_or(times.start).max(times.start), failed_at);
                     chart.draw_series([Cross::new(at, 4, colour.stroke_width(2))])?;
                 }
                 (status, Some(time), Some(error)) => {
                     let at = (time, error.max(errors.start));
                     let style = match status {
                         Status::AtLimit => AT_LIMIT.stroke_width(1),
-                        Status::Outclassed => colour.mix(0.35).filled(),
+                        Status::Outclassed => colour.mix(PALE).filled(),
                         _ if shape == Shape::Square => colour.stroke_width(1),
                         _ => colour.filled(),
                     };
