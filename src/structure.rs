@@ -14,13 +14,16 @@
 
 mod build;
 mod collapse;
+mod components;
 mod constraints;
+mod equal;
 mod frequency;
 mod mass;
 mod matrix;
 mod mesh;
 mod mobility;
 mod numbering;
+mod place;
 mod probes;
 mod rod;
 mod rounding;
@@ -31,7 +34,8 @@ use std::sync::Arc;
 
 use nalgebra::{Complex, DVector, Vector2};
 
-use self::mesh::{Components, ElementMatrix};
+use self::components::Components;
+use self::mesh::ElementMatrix;
 use self::rod::Rod;
 use crate::kernel::{Ends, ThermalStrain};
 use crate::linear::{Bordered, Chain, Chains, Filling, Layout, Number, SingularAt};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{DVector, Vector2};
 
 use super::constraints::rows;
-use super::mesh::stretched;
+use super::equal::stretched;
 use super::rod::Rod;
 use super::unknowns::{Numbering, condensed, with_multipliers};
 use super::{Kind, Node, Point, Structure, mobility};

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DVector, Vector2};
 
-use super::mesh::Components;
+use super::components::Components;
 use super::numbering::order;
 use super::rod::Rod;
 use super::{ElementMatrix, Structure};

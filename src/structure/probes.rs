@@ -2,7 +2,8 @@
 
 use nalgebra::{DVector, Vector2};
 
-use super::mesh::{Components, Loaded};
+use super::components::Components;
+use super::mesh::Loaded;
 use super::{Node, Structure};
 
 /// What acts at an instant.

@@ -5,7 +5,9 @@ use std::fmt::Debug;
 use nalgebra::Vector2;
 
 use super::Kind;
-use super::mesh::{Components, Equal, Mesh};
+use super::components::Components;
+use super::equal::Equal;
+use super::mesh::Mesh;
 use crate::equations::force::Element;
 use crate::equations::shape::Vector14;
 use crate::equations::{cable, inertia, material};

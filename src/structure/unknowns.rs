@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix2, Rotation2, Vector2};
 
+use super::components::Components;
 use super::constraints::{Row, clamped, held_directions};
-use super::mesh::Components;
 use super::numbering::order;
 use super::rod::Rod;
 use super::{ConstraintRow, Kind, Point};

@@ -151,8 +151,8 @@ pub fn bars(rows: &[Row]) -> String {
 /// The paper's statements on the pendulum.
 pub fn statements(rows: &[section3::Row], locking: &Locking) -> String {
     let mut lines = Lines(
-        "6. What the paper says of it, measured against the plane solid in the windows of 4; ± the solid's uncertainty with our\n   \
-         space and time\n"
+        "6. What the paper says of it, measured against the plane solid heated in 2D, in the windows of 4; ± the solid's\n   \
+         uncertainty with our space and time\n"
             .into(),
     );
     lines.push(format_args!("\n   {}", locking.statement));
