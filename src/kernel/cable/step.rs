@@ -2,7 +2,7 @@
 
 #![allow(non_snake_case)] // EA, EI and H, as in the derivation.
 
-use super::{Bend, Blocks, Both, Stretch, combined, cross_rate_rate, outers};
+use super::axis::{Bend, Blocks, Both, Stretch, combined, cross_rate_rate, outers};
 use crate::kernel::plane::{Block, Scalar, Vec2, Vector};
 
 /// A station of the axial strain at both ends of a step.

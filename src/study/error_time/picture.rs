@@ -128,7 +128,7 @@ fn draw_legend<'a>(area: &Area<'a>, groups: &[Group]) -> DrawingResult<'a> {
         label(&mut x, LINES[2], words)?;
     }
     if let Some(peer) = peer {
-        area.draw(&DashedPathElement::new(end(x).into_iter(), 4, 4, PEER.stroke_width(1)))?;
+        area.draw(&DashedPathElement::new(end(x), 4, 4, PEER.stroke_width(1)))?;
         x += 8;
         label(&mut x, LINES[2], &format!("of {}", peer.program))?;
     }
