@@ -3,6 +3,7 @@
 
 mod claims;
 mod continuum;
+mod distance;
 pub mod error_time;
 mod figure;
 mod locking;
@@ -37,8 +38,8 @@ struct Report {
     oracle: Vec<oracle::Row>,
     continuum: Vec<oracle::Row>,
     tip: Vec<pendulum::Row>,
-    errors: Vec<section3::ErrorRow>,
-    shear: Vec<section3::ShearRow>,
+    errors: Vec<distance::ErrorRow>,
+    shear: Vec<distance::ShearRow>,
     statements: Vec<section3::Row>,
     locking: locking::Locking,
     /// Section 4: structures against the oracle, a4, energies, and the paper's statements.
@@ -104,10 +105,10 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let models = pendulum::simulate()?;
     print(&table::tips(&models, &oracle))?;
     print(&table::differences(&models))?;
-    let errors = section3::errors(&models, &continuum)?;
-    let shear = section3::shear(&models, &continuum, &oracle.shear)?;
+    let errors = distance::errors(&models, &continuum)?;
+    let shear = distance::shear(&models, &continuum, &oracle.shear)?;
     print(&table::errors(&errors, &shear))?;
-    let bars = section3::bars(&models, &errors, &shear);
+    let bars = distance::bars(&models, &errors, &shear);
     print(&table::bars(&bars))?;
     let (statements, locking) = (section3::measure(&models, &continuum)?, locking::measure()?);
     print(&table::statements(&statements, &locking))?;

@@ -3,10 +3,11 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
+use super::distance::{ErrorRow, ShearRow};
 use super::locking::{Locking, SmallLoad};
 use super::oracle::{Oracle, Row};
 use super::pendulum::{self, Mesh, Model, TIMES};
-use super::section3::{ErrorRow, Finding, ShearRow};
+use super::section3::Finding;
 use super::{Balance, claims, scissors, section3, section4};
 
 /// Lines of text; writing into a string cannot fail.
