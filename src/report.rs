@@ -63,9 +63,10 @@ pub fn run_text(scene: &Scene, run: &Run) -> String {
     let width = run.trajectory.columns.iter().map(|name| name.chars().count()).max().unwrap_or(0);
     lines.extend(final_values(run).map(|(name, value)| format!("  {name:width$} {value:14.6} {}", unit(name))));
     if let Some(value) = energy_imbalance(&run.trajectory) {
-        let input = energy_input(&run.trajectory).map_or(String::new(), |input| format!(" of {input:.1e} J put in"));
+        let kinetic = largest_of(&run.trajectory, "energy.kinetic").unwrap_or(f64::NAN);
         lines.push(format!(
-            "largest energy imbalance {value:.1e} J{input} (a small one says nothing of the accuracy in time and space)"
+            "largest energy imbalance {value:.1e} J, kinetic energy up to {kinetic:.1e} J (a small imbalance says nothing of the \
+             accuracy in time and space)"
         ));
     }
     for (of, estimate) in [("step", &run.accuracy.time), ("mesh", &run.accuracy.space)] {
@@ -109,15 +110,13 @@ fn final_values(run: &Run) -> impl Iterator<Item = (&str, f64)> {
 
 /// Largest |`energy.balance`| over the rows, J; `None` if there is no such column.
 fn energy_imbalance(trajectory: &Trajectory) -> Option<f64> {
-    let column = trajectory.columns.iter().position(|name| name == "energy.balance")?;
-    // In the total order NaN is the largest, and is not lost.
-    trajectory.rows.iter().filter_map(|row| row.get(column)).map(|balance| balance.abs()).max_by(f64::total_cmp)
+    largest_of(trajectory, "energy.balance")
 }
 
-/// Largest |`energy.input`| over the rows, J; `None` if there is none but zeros.
-fn energy_input(trajectory: &Trajectory) -> Option<f64> {
-    let column = trajectory.column("energy.input")?;
-    column.into_iter().map(f64::abs).max_by(f64::total_cmp).filter(|input| *input > 0.0)
+/// Largest |value| of a column.
+fn largest_of(trajectory: &Trajectory, column: &str) -> Option<f64> {
+    // In the total order NaN is the largest, and is not lost.
+    trajectory.column(column)?.into_iter().map(f64::abs).max_by(f64::total_cmp)
 }
 
 /// Unit of a probe's column.
@@ -142,7 +141,7 @@ mod tests {
     pub(super) fn run() -> (Scene, Run) {
         let scene = Scene::builtin("pendulum-flexible").unwrap();
         let mut rows = vec![vec![0.0; 10], AWKWARD.iter().chain(&[0.0; 4]).copied().collect()];
-        rows[0][9] = -3e-7;
+        (rows[0][5], rows[0][9]) = (2.0, -3e-7);
         rows[1][9] = 2e-7;
         let trajectory = Trajectory { columns: scene.columns(), rows };
         let counts = Counts {
@@ -197,11 +196,8 @@ mod tests {
         let all = run_text(&scene, &run);
         assert!(all.starts_with(text), "{all}");
         assert!(all.contains("tip.x") && all.contains(" -0.333333 m\n"), "{all}");
-        assert!(
-            all.ends_with(
-                "imbalance 3.0e-7 J (a small one says nothing of the accuracy in time and space)\nwarning: mind the gap\n"
-            ),
-            "{all}"
-        );
+        let end = "imbalance 3.0e-7 J, kinetic energy up to 2.0e0 J (a small imbalance says nothing of the accuracy in time and \
+                   space)\nwarning: mind the gap\n";
+        assert!(all.ends_with(end), "{all}");
     }
 }
