@@ -75,7 +75,7 @@ fn whole(key: &str, duration: f64, (unit, step): (&str, f64)) -> Check {
     let holds = count > 0.5 && (count - count.round()).abs() <= (WHOLE.0 * count).min(WHOLE.1);
     let fitting = duration / count.ceil().max(1.0);
     let allowed = format_args!(
-        "a whole number of steps of `{unit}` = {step:?} s, not {count:.6}; a step of {fitting:.9e} s divides it"
+        "a whole number of steps of `{unit}` = {step:?} s, not {count:.6}; a step of {fitting:?} s divides it"
     );
     require(holds, key, format_args!("{duration:?}"), allowed)
 }
