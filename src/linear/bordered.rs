@@ -10,11 +10,14 @@
 //! One block is one rod, the border is what rods share: pinned points, or multipliers. Each block is eliminated by itself,
 //! and leaves a small band matrix D − Σ Cᵢ Aᵢ⁻¹ Bᵢ: the cost is linear in the number of rods and of their elements.
 
+mod filling;
 mod inertia;
 
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector, SMatrix};
+use nalgebra::{DMatrix, DVector};
+
+pub use filling::Filling;
 
 use super::{BandLu, BandMatrix, BlockLayout, Layout, SingularAt, flush};
 
@@ -35,14 +38,6 @@ struct Block {
     right: DMatrix<f64>,
     /// Cᵀ, of the same shape: stored by columns, so that a column is a row of C.
     below: DMatrix<f64>,
-}
-
-/// A block that is being filled, and its share of the corner.
-pub struct Filling<'a> {
-    border: usize,
-    place: &'a BlockLayout,
-    block: &'a mut Block,
-    corner: &'a mut BandMatrix,
 }
 
 /// Its LU factors.
@@ -68,15 +63,6 @@ struct BlockLu {
 struct Scales {
     rows: DVector<f64>,
     columns: DVector<f64>,
-}
-
-/// Where an unknown stands as seen from a block.
-#[derive(Clone, Copy)]
-enum Seen {
-    /// Among its own.
-    Own(usize),
-    /// In the border, and among those that the block touches.
-    Border { place: usize, touch: usize },
 }
 
 impl Bordered {
@@ -127,28 +113,7 @@ impl Bordered {
     /// The unknown whose pivot is zero, or not a number.
     pub fn lu(self) -> Result<BorderedLu, SingularAt> {
         let Bordered { layout, blocks, corner } = self;
-        let mut blocks = blocks.into_iter();
-        BorderedLu::of(&layout, corner, |_, place, _| blocks.next().unwrap_or_else(|| Block::zeros(place)))
-    }
-
-    /// LU factors of a matrix that is never there as a whole: `fill` adds what there is in a block, by its number, and the
-    /// block is eliminated while it is still in the processor's cache. `old` factors of the same layout give their memory.
-    ///
-    /// # Errors
-    /// Those of [`lu`](Bordered::lu).
-    pub fn lu_block_by_block(
-        layout: &Arc<Layout>,
-        old: Option<BorderedLu>,
-        fill: impl Fn(usize, &mut Filling),
-    ) -> Result<BorderedLu, SingularAt> {
-        let (mut blocks, corner) = old.map(|old| (old.blocks.into_iter(), old.corner.into_zeros())).unzip();
-        let corner = corner.unwrap_or_else(|| BandMatrix::zeros(layout.border_size, layout.border_band));
-        BorderedLu::of(layout, corner, |number, place, corner| {
-            let old = blocks.as_mut().and_then(Iterator::next);
-            let mut block = old.map_or_else(|| Block::zeros(place), BlockLu::into_zeros);
-            fill(number, &mut Filling { border: layout.border, place, block: &mut block, corner });
-            block
-        })
+        BorderedLu::of(&layout, corner, blocks)
     }
 
     /// LU factors of the matrix with its rows, then its columns, scaled to a largest entry near 1. Scales are powers of
@@ -226,68 +191,11 @@ impl Block {
     }
 }
 
-impl BlockLu {
-    /// A zero block of the same shape in the same memory.
-    fn into_zeros(self) -> Block {
-        let BlockLu { own, mut right, mut below } = self;
-        right.fill(0.0);
-        below.fill(0.0);
-        Block { own: own.into_zeros(), right, below }
-    }
-}
-
-impl Filling<'_> {
-    fn seen(&self, unknown: usize) -> Seen {
-        match unknown.checked_sub(self.border) {
-            None => Seen::Own(unknown - self.place.first),
-            Some(place) => {
-                let touches = &self.place.touches;
-                let touch = touches.iter().position(|&touched| touched == unknown).unwrap_or(touches.len());
-                Seen::Border { place, touch }
-            }
-        }
-    }
-
-    /// Adds `value` at (row, column), both of them unknowns of the block or of the border that it touches.
-    pub fn add(&mut self, row: usize, column: usize, value: f64) {
-        self.add_seen(self.seen(row), self.seen(column), value);
-    }
-
-    /// Adds a dense matrix whose rows and columns are these unknowns of the block or of its border; `None` is left out.
-    pub fn add_dense<const N: usize>(&mut self, unknowns: [Option<usize>; N], dense: &SMatrix<f64, N, N>) {
-        let seen = unknowns.map(|unknown| unknown.map(|unknown| self.seen(unknown)));
-        for (j, column) in seen.iter().enumerate() {
-            for (i, row) in seen.iter().enumerate() {
-                if let (Some(row), Some(column)) = (*row, *column) {
-                    self.add_seen(row, column, dense[(i, j)]);
-                }
-            }
-        }
-    }
-
-    fn add_seen(&mut self, row: Seen, column: Seen, value: f64) {
-        let Block { own, right, below } = &mut *self.block;
-        match (row, column) {
-            (Seen::Own(row), Seen::Own(column)) => own.add(row, column, value),
-            (Seen::Own(row), Seen::Border { touch, .. }) => right[(row, touch)] += value,
-            (Seen::Border { touch, .. }, Seen::Own(column)) => below[(column, touch)] += value,
-            (Seen::Border { place: row, .. }, Seen::Border { place: column, .. }) => {
-                self.corner.add(row, column, value);
-            }
-        }
-    }
-}
-
 impl BorderedLu {
-    /// Eliminates block by block, as `next` gives them for their number and place; it may add to the corner.
-    fn of(
-        layout: &Arc<Layout>,
-        mut corner: BandMatrix,
-        mut next: impl FnMut(usize, &BlockLayout, &mut BandMatrix) -> Block,
-    ) -> Result<BorderedLu, SingularAt> {
-        let mut blocks = Vec::with_capacity(layout.blocks.len());
-        for (number, place) in layout.blocks.iter().enumerate() {
-            let Block { own, mut right, below } = next(number, place, &mut corner);
+    /// Eliminates block by block.
+    fn of(layout: &Arc<Layout>, mut corner: BandMatrix, blocks: Vec<Block>) -> Result<BorderedLu, SingularAt> {
+        let mut eliminated = Vec::with_capacity(blocks.len());
+        for (place, Block { own, mut right, below }) in layout.blocks.iter().zip(blocks) {
             let own = own.lu().map_err(|SingularAt(pivot)| SingularAt(place.first + pivot))?;
             own.solve_columns(right.as_mut_slice());
             for (m, row) in place.touches.iter().enumerate() {
@@ -296,10 +204,10 @@ impl BorderedLu {
                     corner.add(row - layout.border, column - layout.border, -taken);
                 }
             }
-            blocks.push(BlockLu { own, right, below });
+            eliminated.push(BlockLu { own, right, below });
         }
         let corner = corner.lu().map_err(|SingularAt(pivot)| SingularAt(layout.border + pivot))?;
-        Ok(BorderedLu { layout: layout.clone(), blocks, corner, scales: None })
+        Ok(BorderedLu { layout: layout.clone(), blocks: eliminated, corner, scales: None })
     }
 
     /// Solves A x = b in place; what is nothing in a long vector is zero ([`flush`]).

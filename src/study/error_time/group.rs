@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::case::{CASES, Continuum, ELEMENTS};
+use super::case::{Continuum, ELEMENTS};
 use super::front::{DECADES, Lead, Ratio, fastest, front, leads, ratio};
 use super::point::{Point, Status};
 use super::reference::Converged;
@@ -66,11 +66,6 @@ impl Group {
     /// Its name.
     pub fn name(&self) -> String {
         format!("{}, {}", self.scene, self.element)
-    }
-
-    /// Number of its scene in the study.
-    pub fn scene_number(&self) -> usize {
-        CASES.iter().position(|case| case.scene == self.scene).unwrap_or(CASES.len())
     }
 
     /// Whether its element is the second one.
