@@ -6,7 +6,7 @@ The element is that of `cable.element`: its shape functions, strains and Gauss r
 import numpy as np
 import sympy
 
-from .cable.element import AXIAL_POINTS, BENDING_POINTS, C, EPSILON, G, HEAT, KAPPA, shape_functions
+from .cable.element import AXIAL_POINTS, BENDING_POINTS, C, G, HEAT, shape_functions
 from .fixture import from_sympy, nearest
 
 

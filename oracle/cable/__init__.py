@@ -4,7 +4,7 @@ import platform
 from importlib.metadata import version
 
 from .. import equations, fixture, tags
-from ..quantities import NODAL_FORCE, NODAL_LENGTH, NODAL_STIFFNESS, Quantity, point
+from ..quantities import NODAL_FORCE, NODAL_STIFFNESS, Quantity, point
 from ..tolerance import CONVENTIONS as TOLERANCE
 from . import ball, sanity, tolerance
 from .element import DOF, EPSILON, KAPPA, Element

@@ -12,7 +12,7 @@ import mpmath
 import sympy
 
 from .. import fixture
-from . import circle, director, elastica, frequency, reissner, thermal, timoshenko, value
+from . import circle, director, elastica, frequency, reissner, thermal, timoshenko
 
 FILE = "references.json"
 
