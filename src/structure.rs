@@ -96,6 +96,8 @@ pub struct Structure {
     start_velocity: DVector<f64>,
     /// Statics: loads and heat grow with a factor in place of time.
     grows: bool,
+    /// Times inside of the run at which a temperature or a force has a corner, s, in order.
+    corners: Vec<f64>,
     /// Force or moment of a unit strain on each unknown, N and N m.
     unit_forces: DVector<f64>,
     /// Length of the shortest element, m.
@@ -130,6 +132,11 @@ impl Structure {
     /// Velocity at t = 0: zero, or that of the scene's motion.
     pub fn start_velocity(&self) -> &DVector<f64> {
         &self.start_velocity
+    }
+
+    /// Times between start and end at which a temperature or a force has a corner, s, in order.
+    pub fn corners(&self) -> &[f64] {
+        &self.corners
     }
 
     /// Mass matrix of the unknowns.

@@ -97,15 +97,11 @@ fn check_pivots(scene: &Scene) -> Check {
 
 fn check_same_middle(scene: &Scene, first: &Rod, other: &Rod, key: impl Display) -> Check {
     let (Some(a), Some(b)) = (scene.middle(first), scene.middle(other)) else { return Ok(()) };
-    let length = |rod: &Rod| match (scene.points.get(&rod.from), scene.points.get(&rod.to)) {
-        (Some([x_0, y_0]), Some([x_1, y_1])) => (x_1 - x_0).hypot(y_1 - y_0),
-        _ => 0.0,
-    };
     let (first_name, other_name) = (&first.name, &other.name);
     let allowed = format_args!(
         "rods whose middles are at one place: `{first_name}` has its middle at {a:?}, `{other_name}` at {b:?}"
     );
-    let holds = (a[0] - b[0]).hypot(a[1] - b[1]) <= SAME_PLACE * length(first).min(length(other));
+    let holds = (a[0] - b[0]).hypot(a[1] - b[1]) <= SAME_PLACE * scene.length(first).min(scene.length(other));
     require(holds, key, format_args!("{:?}", other.pivot.as_deref().unwrap_or_default()), allowed)
 }
 

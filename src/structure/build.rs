@@ -13,7 +13,7 @@ use super::{Kind, Node, Point, Structure, mobility};
 use crate::error::{Error, Result};
 use crate::kernel::Meaning;
 use crate::plan::Plan;
-use crate::scene::{Constraints, Method, Motion, Scene, Start};
+use crate::scene::{Constraints, Method, Motion, Scene, Start, times_of};
 
 /// More memory than this for one matrix, in bytes, is refused: a structure that needs it is not a few rods.
 const MOST_BYTES: usize = 2 << 30;
@@ -62,6 +62,7 @@ impl Structure {
             start: DVector::zeros(size),
             start_velocity: DVector::zeros(size),
             grows: scene.time.method == Method::Static,
+            corners: corners(scene),
             unit_forces: DVector::zeros(size),
         };
         structure.rods.iter().for_each(|rod| rod.mesh.add_gravity(&mut structure.gravity));
@@ -139,6 +140,15 @@ impl Kind {
             Kind::Multiplier => 0.0,
         }
     }
+}
+
+/// Times inside of the run at which a history has a corner.
+fn corners(scene: &Scene) -> Vec<f64> {
+    let of_rods = scene.rods.iter().filter_map(|rod| Some(scene.heat(rod)?.history.as_slice()));
+    let of_forces = scene.forces.iter().filter_map(|force| force.history.as_deref());
+    let mut times = times_of(of_rods.chain(of_forces), scene.time.end);
+    times.retain(|t| *t > 0.0 && *t < scene.time.end);
+    times
 }
 
 /// Refuses a matrix that would not fit into memory.

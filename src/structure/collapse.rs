@@ -15,7 +15,7 @@ impl Structure {
         for rod in &*self.rods {
             if let Some(element) = rod.mesh.collapsed(before, u) {
                 let (element, elements) = (element + 1, rod.elements);
-                return Err(Error::Collapsed { rod: rod.name.clone(), element, elements, time });
+                return Err(Error::Collapsed { rod: rod.name.clone(), element, elements, time, statics: self.grows });
             }
         }
         Ok(())

@@ -1,6 +1,6 @@
 //! How fast a structure can vibrate: bounds for time steps.
 
-use nalgebra::{DVector, Vector2};
+use nalgebra::DVector;
 
 use super::rod::Rod;
 use super::{MassFactors, Structure};
@@ -82,8 +82,7 @@ impl Structure {
             Element::Ancf => material::lambda(youngs_modulus, nu) + 2.0 * material::mu(youngs_modulus, nu),
             Element::EulerBernoulli => youngs_modulus,
         };
-        let ends = Vector2::from(scene.points[&rod.to]) - Vector2::from(scene.points[&rod.from]);
-        ends.norm() / (stiff / rho).sqrt()
+        scene.length(rod) / (stiff / rho).sqrt()
     }
 }
 
