@@ -7,7 +7,7 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::equations::{cable, strain, volume};
+use ancf::equations::{cable, shape, strain, volume};
 use ancf::error::Error;
 use ancf::kernel::{Ancf, Beam, Cable, Law};
 use ancf::run::run;
@@ -140,4 +140,28 @@ fn adaptive_steps_are_shortened_before_an_element_collapses() {
             other => panic!("{method}: {:?}", other.map(|run| run.counts)),
         }
     }
+}
+
+/// What bounds how much an element may change between two looks at it: at every quadrature point r_x by 13 times, r_y by 1.3 times what
+/// its nodes have moved, over its length, and its slopes have changed.
+#[test]
+fn gradients_change_no_more_than_thirteen_times_as_much_as_nodes() {
+    for h in [0.01, 1.0, 20.0] {
+        let l = 1.3;
+        let by_slope_y = 1.0f64.min(l / h);
+        let measures = [l, by_slope_y, l, 1.0, by_slope_y, l, by_slope_y];
+        let sum =
+            |values: [f64; 7]| values.iter().zip(measures).map(|(value, measure)| value.abs() * measure).sum::<f64>();
+        let points = volume::gauss_points(l, h, 1.0);
+        let along = points.iter().map(|point| sum(shape::S_i_x(point.x, point.y, l))).fold(0.0, f64::max);
+        let across = points.iter().map(|point| sum(shape::S_i_y(point.x, point.y, l))).fold(0.0, f64::max);
+        println!("h/l = {}: {along:.2}, {across:.2}", h / l);
+        assert!(along <= 13.0 && across <= 1.3, "{along} {across}");
+    }
+    let l = 1.3;
+    let sum =
+        |x| cable::S_i_x(x, l).iter().zip([l, 1.0, l, 1.0]).map(|(value, measure)| value.abs() * measure).sum::<f64>();
+    let along = volume::axis_points(&volume::GAUSS_5, l).map(|(x, _)| sum(x)).into_iter().fold(0.0, f64::max);
+    println!("{along:.2}");
+    assert!(along <= 13.0);
 }

@@ -8,8 +8,10 @@ use crate::integrators::State;
 use crate::scene::{Method, Scene};
 use crate::structure::Structure;
 
-/// Explicit steps are much cheaper than a look at every element, and too short for one to collapse unseen between ten.
-const EXPLICIT_STEPS: usize = 10;
+/// How far nodes may move from one look at the elements to the next, of an element's length, and slopes turn. r_x and r_y then change by
+/// no more than an eighth anywhere ([`Structure::moved`]): an element that goes on to collapse is seen within that, and what comes back
+/// within it was hardly gone. A look at each step would be a quarter of an explicit run's time (8 elements), at these it is a hundredth.
+const UNSEEN: f64 = 0.01;
 
 /// Part of the loads, or of the least of them, from which rounding is warned of.
 const WARNED: f64 = 1e-4;
@@ -27,9 +29,6 @@ const NO_DIGIT: f64 = 0.5;
 pub struct Watch {
     /// Displacement that was looked at last.
     before: DVector<f64>,
-    /// Steps between two looks, and until the next.
-    every: usize,
-    left: usize,
     /// `None` in statics, which has its own.
     rounding: Option<Rounding>,
 }
@@ -53,23 +52,22 @@ enum Beside {
 
 impl Watch {
     pub fn new(scene: &Scene, structure: &Structure) -> Watch {
-        let every = if scene.time.method.is_explicit() { EXPLICIT_STEPS } else { 1 };
         let rounding = (scene.time.method != Method::Static).then(|| {
             let loads = Loads::of(scene);
             let known = || Beside::Known { size: scene.size(), off: DVector::zeros(structure.size()) };
             let beside = if loads.all > 0.0 { Beside::Loads(loads) } else { known() };
             Rounding { beside, shares: [0.0; 2] }
         });
-        Watch { before: structure.start().clone(), every, left: every, rounding }
+        Watch { before: structure.start().clone(), rounding }
     }
 
-    /// Looks at the state after a step, where it is time to.
+    /// Looks at the state after a step, where it has moved since the last look.
     ///
     /// # Errors
     /// [`Error::Collapsed`].
     pub fn step(&mut self, structure: &Structure, state: &State) -> Result<()> {
-        self.left -= 1;
-        if self.left == 0 { self.look(structure, state) } else { Ok(()) }
+        // What is no number has moved.
+        if structure.moved(&self.before, &state.u) <= UNSEEN { Ok(()) } else { self.look(structure, state) }
     }
 
     /// Looks at the state of an output row.
@@ -82,7 +80,6 @@ impl Watch {
     }
 
     fn look(&mut self, structure: &Structure, state: &State) -> Result<()> {
-        self.left = self.every;
         structure.check_collapse(&self.before, &state.u, state.t)?;
         self.before.copy_from(&state.u);
         Ok(())

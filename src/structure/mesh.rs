@@ -57,6 +57,13 @@ pub(super) enum ElementMatrix<'a> {
         stiffness: f64,
         mass: f64,
     },
+    /// The same of every element at these stretches less 1.
+    Stretched {
+        stretch: [f64; 2],
+        eps_t: ThermalStrain,
+        stiffness: f64,
+        mass: f64,
+    },
     /// [`Beam::mixed_tangent`].
     Mixed {
         before: &'a DVector<f64>,
@@ -263,6 +270,9 @@ impl<B: Beam<N>, const N: usize> Equal<B, N> {
             ElementMatrix::Mass => columns.copy_from_slice(self.mass.as_slice()),
             ElementMatrix::Tangent { u, eps_t, stiffness, mass } => {
                 put(stiffness, &self.beam.tangent(&place.gather(u), eps_t), mass);
+            }
+            ElementMatrix::Stretched { stretch, eps_t, stiffness, mass } => {
+                put(stiffness, &self.beam.tangent(&self.stretched(stretch), eps_t), mass);
             }
             ElementMatrix::Mixed { before, u, eps_t } => {
                 put(1.0, &self.beam.mixed_tangent(&place.gather(before), &place.gather(u), eps_t), 0.0);
