@@ -180,6 +180,15 @@ pub enum Error {
         /// Its error.
         reason: String,
     },
+    /// An error would have been estimated of an equilibrium that is one of many.
+    #[error(
+        "the error cannot be estimated, as the equilibrium found is unstable, in {directions} direction(s): others are near, and which of \
+         them a finer run finds says nothing of this one; a small force across leads to the one where the structure stays"
+    )]
+    Unstable {
+        /// Independent directions in which it is, in this run or a finer one.
+        directions: usize,
+    },
     /// An adaptive method has come to its shortest step.
     #[error(
         "at t = {} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \

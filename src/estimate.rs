@@ -58,7 +58,7 @@ impl Accuracy {
 ///
 /// # Errors
 /// Those of [`run`]; [`Error::NoEstimate`] where a finer run fails, and [`Error::Inaccurate`] where the estimate is more than a tenth of
-/// the motion.
+/// the motion, and [`Error::Unstable`] for an equilibrium that is.
 pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     scene.validate("scene")?;
     let no_estimate = |what: &str, error: Error| Error::NoEstimate { what: what.into(), reason: error.to_string() };
@@ -78,6 +78,10 @@ pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     let fine = stable(mesh).and_then(|mesh| Ok((run(&mesh)?, mesh))).map_err(|error| no_estimate(&on_mesh, error))?;
     let space = SAFETY * change(base, base_run, &fine.1, &fine.0);
 
+    let directions = [&own, &in_time, &fine.0].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
+    if directions > 0 {
+        return Err(Error::Unstable { directions });
+    }
     let moved = motion(&watched, &own);
     // Where nothing moves the structure there is no motion to compare with. A NaN is not small.
     let small = time + space <= NO_DIGIT * moved || (!moves(scene) && time + space <= NO_DIGIT * scene.size());

@@ -48,6 +48,8 @@ pub struct Run {
     pub wall_seconds: f64,
     /// What a person should know before trusting the result.
     pub warnings: Vec<String>,
+    /// Statics: in how many independent directions the equilibrium at the end is unstable; 0 in motion, and where that is not told.
+    pub unstable_directions: usize,
     /// Estimated errors; those of [`run_estimated`](crate::estimate::run_estimated) only.
     pub accuracy: Accuracy,
 }
@@ -111,10 +113,10 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
         on_step(step);
     }
     let mut warnings = warnings(scene);
-    warnings.extend(watch.end(&structure, &state)?);
+    let unstable_directions = watch.end(&structure, &state, &mut warnings)?;
     warnings.extend(recorder.doubt());
     let (trajectory, wall_seconds) = (recorder.trajectory(), clock.elapsed().as_secs_f64());
-    Ok(Run { trajectory, counts, wall_seconds, warnings, accuracy: Accuracy::default() })
+    Ok(Run { trajectory, counts, wall_seconds, warnings, unstable_directions, accuracy: Accuracy::default() })
 }
 
 /// Steps per crossing of an element by the axial wave below which a heat shock is badly resolved. Measured on the

@@ -256,7 +256,7 @@ enum Outcome {
     Panicked,
 }
 
-/// Longer than this no scene may take, with its finer runs: a hundred times the slowest one, for slow machines.
+/// Longer than this no scene may take, with its finer runs; the slowest of 10,000 takes a second.
 const LONGEST: Duration = Duration::from_secs(120);
 
 /// Makes something of a scene on a thread of its own, so that it can be given up.
@@ -395,19 +395,12 @@ fn finer(scene: &Scene) -> Result<Run, Error> {
     let every = if scene.time.method == Method::Static { 8 } else { 1 };
     fine.rods.iter_mut().for_each(|rod| rod.elements *= 4);
     fine.time.load_steps *= every;
-    if scene.time.method.is_adaptive() {
+    if scene.time.method != Method::Static {
+        fine.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
         fine.time.tolerance /= 1000.0;
-        fine.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
-        fine.time.step /= 8.0;
-    } else if scene.time.method != Method::Static {
-        fine.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
-        // Bending of Euler–Bernoulli elements a quarter as long is sixteen times as fast.
-        let finer = if scene.time.method.is_explicit() && scene.rods[0].element == Element::EulerBernoulli {
-            32.0
-        } else {
-            8.0
-        };
-        fine.time.step /= finer;
+        // Bending of Euler–Bernoulli elements a quarter as long is sixteen times as fast; a tolerance above all motion bounds no step.
+        let explicit = scene.time.method.is_explicit();
+        fine.time.step /= if explicit && scene.rods[0].element == Element::EulerBernoulli { 32.0 } else { 8.0 };
     }
     let mut fine = run(&fine)?;
     fine.trajectory.rows = fine.trajectory.rows.into_iter().step_by(every).collect();

@@ -85,22 +85,23 @@ impl Watch {
         Ok(())
     }
 
-    /// Doubts about the whole run.
+    /// Adds doubts about the whole run to the warnings; in how many directions the equilibrium of statics is unstable.
     ///
     /// # Errors
     /// [`Error::LostInRounding`].
-    pub fn end(self, structure: &Structure, state: &State) -> Result<Vec<String>> {
+    pub fn end(self, structure: &Structure, state: &State, warnings: &mut Vec<String>) -> Result<usize> {
         if let Some(rounding) = self.rounding {
-            return Ok(rounding.warning().into_iter().collect());
+            warnings.extend(rounding.warning());
+            return Ok(0);
         }
         let share = structure.rounding_of_equilibrium(&state.u, state.t).unwrap_or(0.0);
         if share > NO_DIGIT {
             return Err(Error::LostInRounding { time: state.t, share, of: "displacement", statics: true });
         }
-        Ok(stability_warning(structure, state)
-            .into_iter()
-            .chain((share > WARNED_IN_STATICS).then(|| rounding_warning(share, "displacement")))
-            .collect())
+        let unstable = structure.unstable_directions(&state.u, state.t).unwrap_or(0);
+        warnings.extend((unstable > 0).then(|| stability_warning(unstable)));
+        warnings.extend((share > WARNED_IN_STATICS).then(|| rounding_warning(share, "displacement")));
+        Ok(unstable)
     }
 }
 
@@ -153,10 +154,9 @@ fn rounding_warning(share: f64, of: &str) -> String {
 }
 
 /// An equilibrium that would not stay: a column above its Euler load.
-fn stability_warning(structure: &Structure, state: &State) -> Option<String> {
-    let directions = structure.unstable_directions(&state.u, state.t).filter(|count| *count > 0)?;
-    Some(format!(
-        "the equilibrium found is unstable, in {directions} direction(s): the structure is pressed beyond its buckling load and \
-         would bend out of this position; a small force across shows where to"
-    ))
+fn stability_warning(directions: usize) -> String {
+    format!(
+        "the equilibrium found is unstable, in {directions} direction(s): the structure is pressed beyond its buckling load and would \
+         bend out of this position; a small force across shows where to"
+    )
 }
