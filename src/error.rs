@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use crate::scene::Method;
+
 /// Result with this crate's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
@@ -40,9 +42,10 @@ pub enum Error {
     },
     /// Newton's iteration stopped short of its tolerance.
     #[error(
-        "Newton's iteration did not converge at t = {time} s: residual {residual:.3e} of the largest \
+        "Newton's iteration did not converge at t = {} s: residual {residual:.3e} of the largest \
          force term after {iterations} iterations (tolerance {tolerance:.1e}); a smaller `time.step` helps, and where heat \
-         or a force comes suddenly a `history` that lets it grow, \"energy-momentum\" or \"explicit\""
+         or a force comes suddenly a `history` that lets it grow, or \"explicit\", which iterates nothing",
+        rounded(*time)
     )]
     NewtonFailed {
         /// Time at the end of the failed step, s.
@@ -56,8 +59,9 @@ pub enum Error {
     },
     /// Statics did not find an equilibrium.
     #[error(
-        "no equilibrium was found at {factor} of the load: {reason}; more `time.load_steps` help, unless the structure \
-         buckles there"
+        "no equilibrium was found at {} of the load: {reason}; more `time.load_steps` help, unless the structure \
+         buckles there",
+        rounded(*factor)
     )]
     NoEquilibrium {
         /// Load factor at the end of the failed step, 0 … 1.
@@ -67,8 +71,9 @@ pub enum Error {
     },
     /// A matrix that has to be inverted is singular.
     #[error(
-        "the matrix is singular at t = {time} s, iteration {iteration}, at {place}: a part of the structure is not \
-         held, rods are stretched out in a singular position, or a step is far too large"
+        "the matrix is singular at t = {} s, iteration {iteration}, at {place}: a part of the structure is not \
+         held, rods are stretched out in a singular position, or a step is far too large",
+        rounded(*time)
     )]
     Singular {
         /// Time, s.
@@ -102,9 +107,10 @@ pub enum Error {
     },
     /// A method has created energy.
     #[error(
-        "at t = {time} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: the step is \
-         far too long for a sudden load; a smaller `time.step` helps, a `history` that lets it grow, \"energy-momentum\" or \
-         \"explicit\""
+        "at t = {} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: the step is \
+         far too long for a sudden load; {}",
+        rounded(*time),
+        cure_of_steps(*method)
     )]
     EnergyAppeared {
         /// Time, s.
@@ -115,12 +121,15 @@ pub enum Error {
         created: f64,
         /// What forces, heat and weights have put in at most, J.
         supply: f64,
+        /// The method.
+        method: Method,
     },
     /// Nothing is left of an element, or it has turned inside out.
     #[error(
-        "element {element} of {elements} of the rod `{rod}` has collapsed at t = {time} (s; in statics the load factor): it is \
+        "element {element} of {elements} of the rod `{rod}` has collapsed at {}: it is \
          pressed to nothing, or inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, or the \
-         steps too long"
+         steps too long",
+        when(*time, *statics)
     )]
     Collapsed {
         /// Name of the rod.
@@ -131,11 +140,14 @@ pub enum Error {
         elements: usize,
         /// Time, s; the load factor in statics.
         time: f64,
+        /// Whether it is statics.
+        statics: bool,
     },
     /// Rounding errors are as large as what is computed.
     #[error(
-        "at t = {time} (s; in statics the load factor) rounding errors of the elastic forces may be {share:.1e} of the {of}: the \
-         structure is too stiff, or too slender, for numbers of 16 digits; a smaller `E` or a higher section helps, or fewer elements"
+        "at {} rounding errors of the elastic forces may be {share:.1e} of the {of}: the \
+         structure is too stiff, or too slender, for numbers of 16 digits; a smaller `E` or a higher section helps, or fewer elements",
+        when(*time, *statics)
     )]
     LostInRounding {
         /// Time, s; the load factor in statics.
@@ -144,6 +156,8 @@ pub enum Error {
         share: f64,
         /// What that is.
         of: &'static str,
+        /// Whether it is statics.
+        statics: bool,
     },
     /// The estimated error of a run leaves no digit of it.
     #[error(
@@ -166,10 +180,20 @@ pub enum Error {
         /// Its error.
         reason: String,
     },
+    /// An error would have been estimated of an equilibrium that is one of many.
+    #[error(
+        "the error cannot be estimated, as the equilibrium found is unstable, in {directions} direction(s): others are near, and which of \
+         them a finer run finds says nothing of this one; a small force across leads to the one where the structure stays"
+    )]
+    Unstable {
+        /// Independent directions in which it is, in this run or a finer one.
+        directions: usize,
+    },
     /// An adaptive method has come to its shortest step.
     #[error(
-        "at t = {time} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \
-         {tolerance:.1e} m; a larger `time.tolerance` helps, or a `history` where a force or heat comes suddenly"
+        "at t = {} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \
+         {tolerance:.1e} m; a larger `time.tolerance` helps, or a `history` where a force or heat comes suddenly",
+        rounded(*time)
     )]
     StepTooSmall {
         /// Time at the start of the step, s.
@@ -182,7 +206,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// A quantity stopped being a finite number.
-    #[error("{quantity} is no longer finite at t = {time} s, step {step}; a smaller `time.step` helps")]
+    #[error("{quantity} is no longer finite at t = {} s, step {step}; a smaller `time.step` helps", rounded(*time))]
     NotFinite {
         /// What it was.
         quantity: &'static str,
@@ -292,6 +316,64 @@ impl Error {
             | Error::Command { .. }
             | Error::Read { .. } => 2,
             _ => 1,
+        }
+    }
+}
+
+/// A time without the digits that only rounding has written: 0.3 for 0.30000000000000004.
+fn rounded(time: f64) -> f64 {
+    format!("{time:.11e}").parse().unwrap_or(time)
+}
+
+/// A time, or the load factor of statics, in words.
+fn when(time: f64, statics: bool) -> String {
+    let time = rounded(time);
+    if statics { format!("{time} of the load") } else { format!("t = {time} s") }
+}
+
+/// What helps where a method's steps are too long for what comes suddenly.
+fn cure_of_steps(method: Method) -> String {
+    let shorter = if method.is_adaptive() { "time.tolerance" } else { "time.step" };
+    let others = match method {
+        Method::EnergyMomentum => ", or \"explicit\"",
+        _ if method.is_explicit() => "",
+        _ => ", or \"energy-momentum\" or \"explicit\"",
+    };
+    format!("a smaller `{shorter}` helps, or a `history` that lets it grow{others}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_written_without_rounding() {
+        let collapsed = |time, statics| {
+            let rod = "rod".into();
+            Error::Collapsed { rod, element: 1, elements: 2, time, statics }.to_string()
+        };
+        assert!(
+            collapsed(3.0 * 0.1, false).contains("has collapsed at t = 0.3 s: "),
+            "{}",
+            collapsed(3.0 * 0.1, false)
+        );
+        assert!(collapsed(0.7 + 0.1, true).contains("has collapsed at 0.8 of the load: "));
+        assert_eq!(rounded(123.456_789_012_3), 123.456_789_012);
+        assert_eq!(rounded(1e-7), 1e-7);
+        assert!(rounded(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn no_method_is_told_to_use_itself() {
+        let message =
+            |method| Error::EnergyAppeared { time: 1.0, step: 1, created: 2.0, supply: 1.0, method }.to_string();
+        for (method, part) in [
+            (Method::GeneralizedAlpha, "`history` that lets it grow, or \"energy-momentum\" or \"explicit\""),
+            (Method::EnergyMomentum, "`history` that lets it grow, or \"explicit\""),
+            (Method::Explicit, "a smaller `time.step` helps, or a `history` that lets it grow"),
+            (Method::NystromAdaptive, "a smaller `time.tolerance` helps, or a `history` that lets it grow"),
+        ] {
+            assert!(message(method).ends_with(part), "{}", message(method));
         }
     }
 }

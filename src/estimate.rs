@@ -2,15 +2,19 @@
 //!
 //! The run is made again with half the step (adaptive: of the longest, and a tenth of the tolerance; in statics twice the load steps), and with twice the elements. What
 //! that changes of the positions is most of the error where it falls fast, and half of it where it only halves: an estimate is twice
-//! the change. Neither a kept energy nor the sum of an adaptive method's local errors says as much: the first knows nothing of
+//! the change. Positions are those of all points, and deflections those of the probes and of rods between held points, whether a probe
+//! asks for them or not. Velocities, accelerations, reactions and energies are not estimated: after a shock they may not converge at all.
+//! Neither a kept energy nor the sum of an adaptive method's local errors says as much: the first knows nothing of
 //! places, and the second nothing of how errors grow or cancel on their way.
+
+use std::collections::BTreeSet;
 
 use serde::Serialize;
 
 use crate::error::{Error, Result};
 use crate::integrators::integrator;
 use crate::plan::Plan;
-use crate::run::{Run, run, run_with_progress};
+use crate::run::{Run, moves, run, run_with_progress};
 use crate::scene::{Method, Probe, Quantity, Scene};
 use crate::structure::Structure;
 
@@ -54,11 +58,13 @@ impl Accuracy {
 ///
 /// # Errors
 /// Those of [`run`]; [`Error::NoEstimate`] where a finer run fails, and [`Error::Inaccurate`] where the estimate is more than a tenth of
-/// the motion.
+/// the motion, and [`Error::Unstable`] for an equilibrium that is.
 pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
-    let watched = watched(scene);
-    let mut own = run_with_progress(&watched, on_step)?;
+    scene.validate("scene")?;
     let no_estimate = |what: &str, error: Error| Error::NoEstimate { what: what.into(), reason: error.to_string() };
+    let watched = watched(scene);
+    watched.validate("scene").map_err(|error| no_estimate("a probe of each point", error))?;
+    let mut own = run_with_progress(&watched, on_step)?;
     let (finer, how) = finer_in_time(&watched);
     let in_time = run(&finer).map_err(|error| no_estimate(&how, error))?;
     let time = SAFETY * change(&watched, &own, &finer, &in_time);
@@ -72,14 +78,21 @@ pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     let fine = stable(mesh).and_then(|mesh| Ok((run(&mesh)?, mesh))).map_err(|error| no_estimate(&on_mesh, error))?;
     let space = SAFETY * change(base, base_run, &fine.1, &fine.0);
 
+    let directions = [&own, &in_time, &fine.0].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
+    if directions > 0 {
+        return Err(Error::Unstable { directions });
+    }
     let moved = motion(&watched, &own);
-    // A NaN is not small.
-    let small = time + space <= NO_DIGIT * moved || time + space == 0.0;
+    // Where nothing moves the structure there is no motion to compare with. A NaN is not small.
+    let small = time + space <= NO_DIGIT * moved || (!moves(scene) && time + space <= NO_DIGIT * scene.size());
     if !small {
         return Err(Error::Inaccurate { time, space, moved });
     }
     let estimate = |value, method: &str| {
-        Some(Estimate { value, unit: "m", method: format!("{SAFETY} × the largest change of a position by {method}") })
+        let method = format!(
+            "{SAFETY} × the largest change of a position by {method}; velocities, reactions and energies are not estimated"
+        );
+        Some(Estimate { value, unit: "m", method })
     };
     own.accuracy = Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh) };
     let columns = scene.columns();
@@ -90,17 +103,27 @@ pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     Ok(own)
 }
 
-/// The scene with a probe of each of its points, if it has none of a position or deflection.
+/// The scene with a probe of each of its points, and of the middles of rods that are held at both ends, of which points say nothing.
 fn watched(scene: &Scene) -> Scene {
     let mut watched = scene.clone();
-    let sees = |probe: &Probe| probe.of.iter().any(|of| matches!(of, Quantity::Position | Quantity::Deflection));
-    if !scene.probes.iter().any(sees) {
-        let points = scene.points.keys().cloned();
-        let pivots = scene.rods.iter().filter_map(|rod| rod.pivot.clone());
-        for (number, point) in points.chain(pivots).enumerate() {
-            let name = format!("estimate {number} of {point}");
-            let of = vec![Quantity::Position];
-            watched.probes.push(Probe { name, point: Some(point), rod: None, at: None, of });
+    let mut look = |place: String, probe: Probe| {
+        let name = format!("estimate {} of {place}", watched.probes.len());
+        watched.probes.push(Probe { name, ..probe });
+    };
+    let nowhere = Probe { name: String::new(), point: None, rod: None, at: None, of: vec![Quantity::Position] };
+    let pivots: BTreeSet<&String> = scene.rods.iter().filter_map(|rod| rod.pivot.as_ref()).collect();
+    for point in scene.points.keys().chain(pivots) {
+        look(point.clone(), Probe { point: Some(point.clone()), ..nowhere.clone() });
+    }
+    let is_held = |point: &String| {
+        let supports = scene.supports.iter().filter(|support| support.point == *point);
+        supports.map(|support| support.held().len()).sum::<usize>() > 1
+    };
+    for rod in scene.rods.iter().filter(|rod| is_held(&rod.from) && is_held(&rod.to)) {
+        // A bow, and a wave with a node in the middle.
+        for at in [0.5, 0.25] {
+            let of = vec![Quantity::Deflection];
+            look(rod.name.clone(), Probe { rod: Some(rod.name.clone()), at: Some(at), of, ..nowhere.clone() });
         }
     }
     watched

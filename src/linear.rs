@@ -11,7 +11,7 @@ mod twin;
 
 pub use band::{BandLu, BandMatrix};
 pub use bordered::{Bordered, BorderedLu, Filling};
-pub use chain::{Chain, Elements, MOST_TOUCHED, NONE, Number};
+pub use chain::{Chain, Elements, MOST_BORDER_UNKNOWNS, NONE, Number};
 pub use chains::Chains;
 pub use lanczos::{Pencil, largest_eigenvalue};
 pub use layout::{BlockLayout, Layout};

@@ -45,7 +45,8 @@ enum Command {
     Run {
         /// Name of a built-in scene, or path of a scene file.
         scene: String,
-        /// Estimate the errors in time and space by finer runs: some five times the work.
+        /// Estimate the errors of positions in time and space by finer runs: some five times the work. Velocities, reactions and energies are
+        /// not estimated.
         #[arg(long)]
         estimate: bool,
         #[command(flatten)]

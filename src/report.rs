@@ -154,7 +154,7 @@ mod tests {
             solves: 6,
         };
         let (warnings, accuracy) = (vec!["mind the gap".into()], Accuracy::default());
-        (scene, Run { trajectory, counts, wall_seconds: 0.25, warnings, accuracy })
+        (scene, Run { trajectory, counts, wall_seconds: 0.25, warnings, unstable_directions: 0, accuracy })
     }
 
     #[test]

@@ -1,21 +1,24 @@
 //! One scene from start to end.
 
 mod doubts;
+mod energy;
+mod loads;
 
 use std::time::Instant;
 
 use nalgebra::DVector;
 
 use doubts::Watch;
+use energy::Energy;
+pub(crate) use loads::moves;
 
 use crate::counts::Counts;
 use crate::error::{Error, Result};
 use crate::estimate::Accuracy;
 use crate::integrators::{self, Motion, State};
-use crate::kernel::ThermalStrain;
 use crate::plan::Plan;
 use crate::scene::{Element, Form, Method, Poisson, Probe, Quantity, Rod, Scene, Start};
-use crate::structure::{Instant as Now, StepEnds, Structure};
+use crate::structure::{Instant as Now, Structure};
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,6 +48,8 @@ pub struct Run {
     pub wall_seconds: f64,
     /// What a person should know before trusting the result.
     pub warnings: Vec<String>,
+    /// Statics: in how many independent directions the equilibrium at the end is unstable; 0 in motion, and where that is not told.
+    pub unstable_directions: usize,
     /// Estimated errors; those of [`run_estimated`](crate::estimate::run_estimated) only.
     pub accuracy: Accuracy,
 }
@@ -81,7 +86,7 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
     let mut recorder = Recorder::new(scene, plan, &structure, &state, &mut counts)?;
 
     recorder.record(&state, method.multipliers(), &mut counts)?;
-    let mut watch = Watch::new(scene, &state.u);
+    let mut watch = Watch::new(scene, &structure);
     // Nothing in this loop asks for memory.
     for step in 1..=scene.steps() {
         let t = scene.time_after(step);
@@ -108,9 +113,10 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
         on_step(step);
     }
     let mut warnings = warnings(scene);
-    warnings.extend(watch.end(scene, &structure, &state)?);
+    let unstable_directions = watch.end(&structure, &state, &mut warnings)?;
+    warnings.extend(recorder.doubt());
     let (trajectory, wall_seconds) = (recorder.trajectory(), clock.elapsed().as_secs_f64());
-    Ok(Run { trajectory, counts, wall_seconds, warnings, accuracy: Accuracy::default() })
+    Ok(Run { trajectory, counts, wall_seconds, warnings, unstable_directions, accuracy: Accuracy::default() })
 }
 
 /// Steps per crossing of an element by the axial wave below which a heat shock is badly resolved. Measured on the
@@ -186,74 +192,6 @@ struct Recorder<'a> {
     energy: Option<Energy>,
 }
 
-/// The energy that was there at the start and what has been put in since, J.
-struct Energy {
-    start: f64,
-    /// The kinetic part of it.
-    kinetic: f64,
-    input: f64,
-    /// The most that forces, heat and the fall of weights have put in so far.
-    supply: f64,
-    /// Whether forces or heat put energy in.
-    works: bool,
-    /// What is computed with.
-    thermal: [Vec<ThermalStrain>; 2],
-    vector: DVector<f64>,
-}
-
-impl Energy {
-    fn new(scene: &Scene, structure: &Structure, state: &State) -> Energy {
-        let thermal = structure.thermal_strains(0.0);
-        // Before a sudden start there is no strain energy; the heat that then appears puts in what is there at t = 0.
-        let input = structure.strain_energy(&state.u, &thermal);
-        let mut vector = DVector::zeros(structure.size());
-        let kinetic = structure.kinetic_energy(&state.v, &mut vector);
-        let start = kinetic - structure.gravity().dot(&state.u);
-        let heats = scene.rods.iter().any(|rod| scene.heat(rod).is_some_and(|heat| heat.history.len() > 1));
-        let works = !scene.forces.is_empty() || heats;
-        Energy { start, kinetic, input, supply: 0.0, works, thermal: [thermal.clone(), thermal], vector }
-    }
-
-    /// Adds the work of forces and of heating over a step from what is known at its ends: of second order, and exact for the
-    /// energy–momentum rule.
-    fn work(&mut self, structure: &Structure, before: &State, after: &State) {
-        let [thermal_0, thermal_1] = &mut self.thermal;
-        structure.thermal_strains_into(before.t, thermal_0);
-        structure.thermal_strains_into(after.t, thermal_1);
-        if thermal_0 != thermal_1 {
-            let ends = StepEnds { u_0: &before.u, u_1: &after.u, thermal_0, thermal_1 };
-            self.input += structure.heating_work(&ends);
-        }
-        let force = &mut self.vector;
-        force.fill(0.0);
-        structure.add_point_forces(before.t, 0.5, force);
-        structure.add_point_forces(after.t, 0.5, force);
-        self.input += force.dot(&after.u) - force.dot(&before.u);
-    }
-
-    /// Refuses a state with twice the energy that was put in: no method may create any, and one whose step is far too long
-    /// for a sudden load does.
-    fn check(&mut self, row: [f64; 5], structure: &Structure, state: &State) -> Result<()> {
-        let [_, _, potential, input, created] = row;
-        self.supply = self.supply.max(self.kinetic + input.abs() + (potential - (self.start - self.kinetic)).abs());
-        if created > self.supply + structure.energy_rounding() {
-            let (time, step, supply) = (state.t, state.step, self.supply);
-            return Err(Error::EnergyAppeared { time, step, created, supply });
-        }
-        Ok(())
-    }
-
-    /// Kinetic, strain and potential energy, input and balance.
-    fn row(&mut self, structure: &Structure, state: &State) -> [f64; 5] {
-        let kinetic = structure.kinetic_energy(&state.v, &mut self.vector);
-        let [thermal, _] = &mut self.thermal;
-        structure.thermal_strains_into(state.t, thermal);
-        let strain = structure.strain_energy(&state.u, thermal);
-        let potential = 0.0 - structure.gravity().dot(&state.u);
-        [kinetic, strain, potential, self.input, kinetic + strain + potential - self.start - self.input]
-    }
-}
-
 impl<'a> Recorder<'a> {
     fn new(
         scene: &'a Scene,
@@ -285,7 +223,7 @@ impl<'a> Recorder<'a> {
     /// Adds work that the method knows.
     fn put_in(&mut self, work: f64) {
         if let Some(energy) = &mut self.energy {
-            energy.input += work;
+            energy.put_in(work);
         }
     }
 
@@ -319,10 +257,15 @@ impl<'a> Recorder<'a> {
             return Err(Error::NotFinite { quantity: "the output", time: state.t, step: state.step });
         }
         if let (Some(energy), Some(energies)) = (&mut self.energy, energies) {
-            energy.check(energies, structure, state)?;
+            energy.check(energies, structure, state, self.scene.time.method)?;
         }
         self.written += 1;
         Ok(())
+    }
+
+    /// Energies that do not balance.
+    fn doubt(&self) -> Option<String> {
+        self.energy.as_ref()?.warning(self.structure, self.scene.time.method)
     }
 
     fn trajectory(mut self) -> Trajectory {

@@ -361,6 +361,23 @@ impl Scene {
         self.points.get(point).copied().or_else(pivot)
     }
 
+    /// How far its points reach, m: the diagonal of the rectangle around them.
+    pub(crate) fn size(&self) -> f64 {
+        let reach = |axis: usize| {
+            let places = || self.points.values().map(move |point| point[axis]);
+            places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
+        };
+        reach(0).hypot(reach(1))
+    }
+
+    /// A rod's length, m; 0 if one of its ends is no point.
+    pub(crate) fn length(&self, rod: &Rod) -> f64 {
+        match (self.points.get(&rod.from), self.points.get(&rod.to)) {
+            (Some([x_0, y_0]), Some([x_1, y_1])) => (x_1 - x_0).hypot(y_1 - y_0),
+            _ => 0.0,
+        }
+    }
+
     /// Initial position of a rod's middle.
     pub(crate) fn middle(&self, rod: &Rod) -> Option<[f64; 2]> {
         let ([x_0, y_0], [x_1, y_1]) = (self.points.get(&rod.from)?, self.points.get(&rod.to)?);
@@ -403,6 +420,15 @@ impl Force {
         let factor = self.history.as_ref().and_then(|history| interpolate(history, t)).unwrap_or(1.0);
         self.force.map(|component| factor * component)
     }
+}
+
+/// Times from 0 to `end` between which all of these histories are linear: both ends and the corners inside, in order.
+pub(crate) fn times_of<'a>(histories: impl IntoIterator<Item = &'a [[f64; 2]]>, end: f64) -> Vec<f64> {
+    let corners = histories.into_iter().flatten().map(|&[t, _]| t).filter(|t| *t > 0.0 && *t < end);
+    let mut times: Vec<f64> = corners.chain([0.0, end]).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
 }
 
 /// The value at time `t` of a history of pairs [t, value]: linear between them, constant outside; `None` if it is empty.

@@ -88,6 +88,8 @@ pub struct Structure {
     kinds: Vec<Kind>,
     /// One over the length over which an unknown's force is judged; 0 for multipliers.
     weights: DVector<f64>,
+    /// One over the length of its elements for a position; for a slope 1, of r_y in elements higher than long h/l; 0 for a multiplier.
+    shares: DVector<f64>,
     points: BTreeMap<String, Point>,
     /// There are none in the condensed form.
     rows: Vec<ConstraintRow>,
@@ -100,6 +102,8 @@ pub struct Structure {
     start_velocity: DVector<f64>,
     /// Statics: loads and heat grow with a factor in place of time.
     grows: bool,
+    /// Start and end, s, and between them the times at which a temperature or a force has a corner.
+    times: Vec<f64>,
     /// Force or moment of a unit strain on each unknown, N and N m.
     unit_forces: DVector<f64>,
     /// Length of the shortest element, m.
@@ -136,6 +140,11 @@ impl Structure {
     /// Velocity at t = 0: zero, or that of the scene's motion.
     pub fn start_velocity(&self) -> &DVector<f64> {
         &self.start_velocity
+    }
+
+    /// Times between start and end at which a temperature or a force has a corner, s, in order.
+    pub fn corners(&self) -> &[f64] {
+        self.times.get(1..self.times.len().saturating_sub(1)).unwrap_or_default()
     }
 
     /// Mass matrix of the unknowns.

@@ -165,7 +165,7 @@ refused! {
     key_that_begins_like_another: r#""o": [0.0, 0.0], "apex": [0.5, 0.0]"# => r#""ap": [0.0, 0.0], "apex": [0.5, "x"]"#; 6, "`points.apex[1]` is \"x\""; "a number"
     point_with_one_coordinate: "[0.5, 0.0]" => "[0.5]"; 6, "`points.apex` is [0.5]"; "two numbers"
     point_with_three_coordinates: "[0.5, 0.0]" => "[0.5, 0.0, 0.0]"; 6, "`points.apex` is [0.5, 0.0, 0.0]"; "two numbers"
-    unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`, `gauss`, `nystrom`, `gauss-adaptive`, `nystrom-adaptive`, `static`; nearest: `"
+    unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`, `gauss`, `nystrom`, `gauss-adaptive`, `nystrom-adaptive`, `static`"
     number_for_a_word: r#""energy-momentum""# => "4"; 11, "`time.method` is 4"; "`generalized-alpha`, `energy-momentum`, `explicit`"
     object_for_a_word: r#""2d""# => r#"{"2d": null}"#; 10, "`temperature.model` is {\"2d\": null}"; "`2d`, `1d`, `none`"
     nan: r#""nu": 0.3"# => r#""nu": NaN"#; 4, "`material.nu` is NaN"; "numbers are finite"
@@ -282,10 +282,10 @@ refused! {
 refused! {
     in CROSS;
     support_of_nothing: r#"{"point": "s", "slide": [3.0, 4.0]}"# => r#"{"point": "s"}"#; 11, "`supports[1].fix` is missing"; "at least one entry, or `slide` or `clamp` in its place"
-    support_of_an_unknown_point: r#""point": "s""# => r#""point": "n""#; 11, "`supports[1].point` is \"n\""; "the name of a point in `points` or of a rod's pivot; nearest: `"
+    support_of_an_unknown_point: r#""point": "s""# => r#""point": "n""#; 11, "`supports[1].point` is \"n\""; "the name of a point in `points` or of a rod's pivot (`p`, `q`, `r`, `s`, `m`); where a point was taken away, what stands at it goes too"
     slide_along_nothing: "[3.0, 4.0]" => "[0.0, -0.0]"; 11, "`supports[1].slide` is [0.0, -0.0]"; "a direction that is not zero"
     slide_that_is_no_pair: "[3.0, 4.0]" => "[3.0]"; 11, "`supports[1].slide` is [3.0]"; "two numbers"
-    clamp_of_an_unknown_rod: r#""clamp": "up""# => r#""clamp": "upp""#; 11, "`supports[0].clamp` is \"upp\""; "the name of a rod; nearest: `up`"
+    clamp_of_an_unknown_rod: r#""clamp": "up""# => r#""clamp": "upp""#; 11, "`supports[0].clamp` is \"upp\""; "the name of a rod (`up`, `down`); nearest: `up`"
     clamp_of_a_rod_elsewhere: r#""clamp": "up""# => r#""clamp": "down""#; 11, "`supports[0].clamp` is \"down\""; "a rod that has `p` as its `from`, `to` or `pivot`"
     direction_held_twice: r#"{"point": "s", "slide": [3.0, 4.0]}"# => r#"{"point": "s", "fix": ["x"]}, {"point": "p", "fix": ["x"]}"#; 11, "`supports[2].fix[0]` is \"x\""; "directions that no other support holds at `p`: supports[2].fix is redundant beside supports[0].fix"
     slide_that_holds_what_is_fixed: "[3.0, 4.0]}" => r#"[0.0, 2.0]}, {"point": "s", "fix": ["x"]}"#; 11, "`supports[2].fix[0]` is \"x\""; "at `s`: supports[2].fix is redundant beside supports[1].slide"
@@ -303,7 +303,7 @@ refused! {
 // Forces and constraints of a structure.
 refused! {
     in CROSS;
-    force_at_an_unknown_point: r#""point": "m", "force""# => r#""point": "mm", "force""#; 12, "`forces[0].point` is \"mm\""; "of a rod's pivot; nearest: `m`"
+    force_at_an_unknown_point: r#""point": "m", "force""# => r#""point": "mm", "force""#; 12, "`forces[0].point` is \"mm\""; "of a rod's pivot (`p`, `q`, `r`, `s`, `m`); nearest: `m`"
     force_that_is_no_number: "1.5, -2.5" => "1.5, NaN"; 12, "`forces[0].force[1]` is NaN"; "numbers are finite"
     force_without_history_in_its_list: "[[0.0, 0.0], [0.1, 1.0]]" => "[]"; 12, "`forces[0].history` is []"; "at least one pair [t, factor]"
     null_for_a_forces_history: "[[0.0, 0.0], [0.1, 1.0]]" => "null"; 12, "`forces[0].history` is null"; "a list"
@@ -325,7 +325,7 @@ refused! {
     probe_before_a_rods_start: "0.25" => "-0.25"; 18, "`probes[2].at` is -0.25"; "a number from 0 to 1"
     probe_behind_a_rods_end: "0.25" => "1.0000001"; 18, "`probes[2].at` is 1.0000001"; "a number from 0 to 1"
     probe_of_a_place_and_a_point: r#""rod": "down", "at""# => r#""point": "m", "rod": "down", "at""#; 18, "`probes[2].at` is 0.25"; "nothing beside `point`"
-    probe_of_an_unknown_rod: r#""rod": "down", "at""# => r#""rod": "dawn", "at""#; 18, "`probes[2].rod` is \"dawn\""; "the name of a rod; nearest: `down`"
+    probe_of_an_unknown_rod: r#""rod": "down", "at""# => r#""rod": "dawn", "at""#; 18, "`probes[2].rod` is \"dawn\""; "the name of a rod (`up`, `down`); nearest: `down`"
     position_of_a_place_on_a_rod: r#"["deflection"]"# => r#"["deflection", "position"]"#; 18, "`probes[2].of[1]` is \"position\""; "\"deflection\" on a rod; the other quantities need a `point`"
     deflection_of_a_point: r#""point": "p", "of": ["reaction"]"# => r#""point": "p", "of": ["deflection"]"#; 17, "`probes[1].of[0]` is \"deflection\""; "a deflection has `rod` and `at`, without `point`"
     reaction_of_a_free_point: r#""point": "p", "of""# => r#""point": "q", "of""#; 17, "`probes[1].of[0]` is \"reaction\""; "a point that a support holds, or with `rod` for the force of a pin on that rod"

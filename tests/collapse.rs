@@ -7,7 +7,7 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::equations::{cable, strain, volume};
+use ancf::equations::{cable, shape, strain, volume};
 use ancf::error::Error;
 use ancf::kernel::{Ancf, Beam, Cable, Law};
 use ancf::run::run;
@@ -102,7 +102,7 @@ fn the_error_names_rod_element_and_time() {
         scene.rods.iter_mut().for_each(|rod| rod.element = element);
         (scene.time.method, scene.time.step, scene.time.end, scene.output.interval) = (method, 1e-4, 0.1, None);
         match run(&scene) {
-            Err(Error::Collapsed { rod, element, elements, time }) => {
+            Err(Error::Collapsed { rod, element, elements, time, .. }) => {
                 assert_eq!((rod.as_str(), element, elements), ("weak", 3, 3));
                 // The wave of the weak rod takes 20 ms for an element.
                 assert!(time > 1e-3 && time < 0.02, "{time}");
@@ -110,4 +110,58 @@ fn the_error_names_rod_element_and_time() {
             other => panic!("{:?}", other.map(|run| run.counts)),
         }
     }
+}
+
+/// A step that collapses an element is made again, shorter: a rod pressed suddenly by a tenth of EA, with steps up to 20 ms, in which
+/// its end would pass through its beginning, and a tolerance that allows for that. Only where no shorter step helps it is an error, and
+/// that of the element.
+#[test]
+fn adaptive_steps_are_shortened_before_an_element_collapses() {
+    let pressed = |method, element, share: f64| {
+        let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+        (scene.gravity, scene.rods[0].elements, scene.rods[0].element) = ([0.0; 2], 2, element);
+        scene.forces.push(Force { point: "a".into(), force: [-share * 8e4, 0.0], history: None });
+        (scene.time.method, scene.time.step, scene.time.end) = (method, 0.02, 0.1);
+        (scene.time.tolerance, scene.output.interval) = (0.1, None);
+        scene
+    };
+    for method in [Method::GaussAdaptive, Method::NystromAdaptive] {
+        let run = run(&pressed(method, Element::EulerBernoulli, 0.1)).unwrap();
+        // Shortened by up to twice what rests under this force, and the tolerance.
+        let x = run.trajectory.column("tip.x").unwrap();
+        assert!(run.counts.rejected > 0 && x.iter().all(|x| (0.6..1.1).contains(x)), "{method}: {x:?}");
+    }
+    // Pressed to nothing for good.
+    for method in [Method::GaussAdaptive, Method::NystromAdaptive] {
+        let mut scene = pressed(method, Element::Ancf, 3.0);
+        (scene.time.step, scene.time.tolerance) = (1e-3, 1e-6);
+        match run(&scene) {
+            Err(Error::Collapsed { rod, time, .. }) => assert!(rod == "rod" && time < 0.04, "{rod} {time}"),
+            other => panic!("{method}: {:?}", other.map(|run| run.counts)),
+        }
+    }
+}
+
+/// What bounds how much an element may change between two looks at it: at every quadrature point r_x by 13 times, r_y by 1.3 times what
+/// its nodes have moved, over its length, and its slopes have changed.
+#[test]
+fn gradients_change_no_more_than_thirteen_times_as_much_as_nodes() {
+    for h in [0.01, 1.0, 20.0] {
+        let l = 1.3;
+        let by_slope_y = 1.0f64.min(l / h);
+        let measures = [l, by_slope_y, l, 1.0, by_slope_y, l, by_slope_y];
+        let sum =
+            |values: [f64; 7]| values.iter().zip(measures).map(|(value, measure)| value.abs() * measure).sum::<f64>();
+        let points = volume::gauss_points(l, h, 1.0);
+        let along = points.iter().map(|point| sum(shape::S_i_x(point.x, point.y, l))).fold(0.0, f64::max);
+        let across = points.iter().map(|point| sum(shape::S_i_y(point.x, point.y, l))).fold(0.0, f64::max);
+        println!("h/l = {}: {along:.2}, {across:.2}", h / l);
+        assert!(along <= 13.0 && across <= 1.3, "{along} {across}");
+    }
+    let l = 1.3;
+    let sum =
+        |x| cable::S_i_x(x, l).iter().zip([l, 1.0, l, 1.0]).map(|(value, measure)| value.abs() * measure).sum::<f64>();
+    let along = volume::axis_points(&volume::GAUSS_5, l).map(|(x, _)| sum(x)).into_iter().fold(0.0, f64::max);
+    println!("{along:.2}");
+    assert!(along <= 13.0);
 }

@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 use ancf::error::Error;
 use ancf::estimate::run_estimated;
 use ancf::run::run;
-use ancf::scene::{Method, Scene};
+use ancf::scene::{Method, Quantity, Scene, Start, Temperature, ThermalModel};
 use serde_json::Value;
 
 fn ancf(folder: &Path, arguments: &[&str]) -> Output {
@@ -56,6 +56,75 @@ fn a_scene_without_probes_is_estimated_at_its_points() {
     assert_eq!(estimated.trajectory, run(&scene).unwrap().trajectory);
     let with_probe = run_estimated(&pendulum(Method::Gauss, 1e-3), |_| ()).unwrap();
     assert_eq!(estimated.accuracy, with_probe.accuracy);
+}
+
+/// A probe of a held point, or of a bow, sees less than what moves: the estimate is that of all points.
+#[test]
+fn what_probes_look_at_does_not_matter() {
+    let accuracy = |change: &dyn Fn(&mut Scene)| {
+        let mut scene = pendulum(Method::EnergyMomentum, 1e-2);
+        scene.output.interval = Some(1e-2);
+        change(&mut scene);
+        run_estimated(&scene, |_| ()).unwrap().accuracy
+    };
+    let tip = accuracy(&|_| ());
+    assert!(tip.time.as_ref().unwrap().value > 1e-5);
+    assert_eq!(accuracy(&|scene| scene.probes[0].point = Some("o".into())), tip);
+    let bow = |scene: &mut Scene| {
+        let probe = &mut scene.probes[0];
+        (probe.point, probe.rod, probe.at, probe.of) =
+            (None, Some("rod".into()), Some(0.5), vec![Quantity::Deflection]);
+    };
+    // A bow's own error counts beside those of the points.
+    assert!(accuracy(&bow).time.unwrap().value >= tip.time.unwrap().value);
+}
+
+/// A rod between two held points moves between them, where no point is.
+#[test]
+fn a_rod_between_held_points_is_looked_at() {
+    let mut scene = pendulum(Method::EnergyMomentum, 1e-3);
+    let mut end = scene.supports[0].clone();
+    end.point = "a".into();
+    scene.supports.push(end);
+    scene.probes[0].of = vec![Quantity::Position];
+    let accuracy = run_estimated(&scene, |_| ()).unwrap().accuracy;
+    let (time, space) = (accuracy.time.unwrap().value, accuracy.space.unwrap().value);
+    assert!(time > 1e-7 && space > 1e-7, "{time:e}, {space:e}");
+}
+
+/// Steps of a tenth of a second cannot follow the pendulum, which is seen although no probe looks at it.
+#[test]
+fn a_motion_that_no_probe_sees_is_an_error_all_the_same() {
+    let mut scene = pendulum(Method::EnergyMomentum, 0.1);
+    (scene.time.end, scene.output.interval) = (2.0, None);
+    scene.probes[0].point = Some("o".into());
+    match run_estimated(&scene, |_| ()) {
+        Err(Error::Inaccurate { time, moved, .. }) => assert!(time > 0.1 * moved && moved > 1.0, "{time}, {moved}"),
+        other => panic!("{:?}", other.map(|run| run.accuracy)),
+    }
+}
+
+/// Where nothing moves, errors are estimated all the same, and are those of rounding.
+#[test]
+fn a_structure_at_rest_is_estimated() {
+    let mut scene = pendulum(Method::EnergyMomentum, 1e-3);
+    scene.gravity = [0.0; 2];
+    let total = run_estimated(&scene, |_| ()).unwrap().accuracy.total().unwrap();
+    assert_eq!(total, 0.0);
+    let history = vec![[0.0, 200.0]];
+    scene.temperature = Some(Temperature { model: ThermalModel::TwoD, start: Start::Relaxed, history });
+    let total = run_estimated(&scene, |_| ()).unwrap().accuracy.total().unwrap();
+    assert!(total < 1e-13, "{total:e}");
+}
+
+/// Velocities, reactions and energies are not estimated, which is said where the estimates are.
+#[test]
+fn what_is_not_estimated_is_said() {
+    let run = run_estimated(&pendulum(Method::EnergyMomentum, 1e-3), |_| ()).unwrap();
+    for estimate in [run.accuracy.time, run.accuracy.space] {
+        let method = estimate.unwrap().method;
+        assert!(method.contains("velocities, reactions and energies are not estimated"), "{method}");
+    }
 }
 
 /// Time's part falls with the order of the method, by every method that has a step, and with the tolerance.
@@ -113,6 +182,26 @@ fn a_result_without_a_digit_is_an_error() {
     let message = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.code() == Some(1) && message.contains("no digit is right"), "{message}");
     assert!(fs::read_dir(folder.path().join("out")).unwrap().next().is_none());
+}
+
+/// Pressed far beyond its buckling load a column has many equilibria, and other meshes and load steps find others: no estimate.
+#[test]
+fn an_unstable_equilibrium_is_not_estimated() {
+    let mut scene = Scene::builtin("cantilever").unwrap();
+    let bending = scene.material.youngs_modulus * scene.section.width * scene.section.height.powi(3) / 12.0;
+    let length = scene.points["a"][0] - scene.points["o"][0];
+    let euler = std::f64::consts::PI.powi(2) * bending / (4.0 * length * length);
+    scene.forces[0].force = [-0.5 * euler, 1e-3 * euler];
+    let stable = run_estimated(&scene, |_| ());
+    assert!(stable.is_ok(), "{:?}", stable.map(|run| run.accuracy));
+    scene.forces[0].force = [-30.0 * euler, 0.0];
+    assert!(run(&scene).unwrap().unstable_directions > 1);
+    match run_estimated(&scene, |_| ()) {
+        Err(error @ Error::Unstable { directions }) => {
+            assert!(directions > 1 && error.to_string().contains("one where the structure stays"), "{error}");
+        }
+        other => panic!("{:?}", other.map(|run| run.accuracy)),
+    }
 }
 
 /// A finer run that fails leaves no estimate: steps of 2.5e-4 s take the shock on 16 elements, and not on 32.

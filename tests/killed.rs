@@ -56,5 +56,6 @@ fn killed_at_any_time_no_file_is_cut_off() {
         fs::remove_dir_all(&out).ok();
     }
     println!("killed {times} times within {whole:?}: {cut} without a file, {done} with whole ones");
-    assert!(cut > 0 && whole > Duration::from_millis(20));
+    // Some before anything was written, and some after.
+    assert!(cut > 0 && done > 0 && whole > Duration::from_millis(20));
 }

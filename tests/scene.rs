@@ -488,3 +488,30 @@ fn the_readme_shows_a_scene_that_runs() {
     assert_eq!(run.trajectory.rows.len(), 3);
     assert!(run.trajectory.column("bend.w").is_some() && run.trajectory.column("pin.rx").is_some());
 }
+
+/// What is no misspelling of a known name gets no suggestion, and all names to choose from.
+#[test]
+fn suggestions_are_alike() {
+    let text = Scene::builtin("scissors-3").unwrap().to_text();
+    let message = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        Scene::parse(&text.replace(from, to), "mine.json").unwrap_err().to_string()
+    };
+    let word = message("\"energy-momentum\"", "\"rk4\"");
+    assert!(word.contains("`static`") && !word.contains("nearest"), "{word}");
+    let alike = message("\"energy-momentum\"", "\"energy-momentun\"");
+    assert!(alike.contains("nearest: `energy-momentum`"), "{alike}");
+    // The hinge of a scissor is taken away, and what looked at it is left.
+    let mut scene = Scene::builtin("scissors-3").unwrap();
+    let pivot = scene.rods[0].pivot.clone().unwrap();
+    scene.probes[0].point = Some(pivot.clone());
+    scene.rods.iter_mut().filter(|rod| rod.pivot.as_ref() == Some(&pivot)).for_each(|rod| rod.pivot = None);
+    let mut renamed = scene.clone();
+    renamed.probes[0].point = Some("hinge".into());
+    let gone = renamed.validate("mine").unwrap_err().to_string();
+    for part in ["`probes[0].point` is \"hinge\"", "`a1`, ", "where a point was taken away, what stands at it goes too"]
+    {
+        assert!(gone.contains(part), "no {part} in: {gone}");
+    }
+    assert!(scene.validate("mine").unwrap_err().to_string().contains(&format!("is {pivot:?}")));
+}

@@ -331,7 +331,7 @@ fn energy_that_nothing_put_in_ends_the_run() {
     (scene.time.method, scene.time.step, scene.time.end) = (Method::GeneralizedAlpha, 1e-3, 0.1);
     scene.output.interval = None;
     match run(&scene) {
-        Err(Error::EnergyAppeared { time, step, created, supply }) => {
+        Err(Error::EnergyAppeared { time, step, created, supply, .. }) => {
             assert!(time < 0.01 && step < 10 && created > supply && supply > 0.0, "{time} {step} {created} {supply}");
         }
         other => panic!("{:?}", other.map(|run| run.counts)),

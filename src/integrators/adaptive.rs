@@ -1,6 +1,8 @@
 //! Steps of a method's own choice, as long as an error estimate allows.
 //!
-//! A step whose estimate is over the tolerance is made again, shorter; after one that is far below it the next is longer.
+//! A step whose estimate is over the tolerance, or that collapses an element, is made again, shorter; after one that is far below it
+//! the next is longer. Steps end at the corners of temperature and force histories: between two of them loads are linear in time, and the
+//! method has its order.
 //! Between two times that are asked for all steps are equal as long as the estimate allows, so that a matrix serves for many.
 
 use super::{Integrator, State};
@@ -49,13 +51,24 @@ pub struct Adaptive<M> {
     longest: f64,
     /// The step that is tried next.
     next: f64,
+    /// Times inside of the run at which a history has a corner, in order.
+    corners: Vec<f64>,
     before: State,
 }
 
 impl<M: Embedded> Adaptive<M> {
     /// Steps with an estimated error up to `tolerance` (m), and up to `longest` (s).
-    pub fn new(method: M, state: &State, tolerance: f64, longest: f64) -> Adaptive<M> {
-        Adaptive { method, tolerance, longest, next: longest, before: state.clone() }
+    pub fn new(method: M, structure: &Structure, state: &State, tolerance: f64, longest: f64) -> Adaptive<M> {
+        let corners = structure.corners().to_vec();
+        Adaptive { method, tolerance, longest, next: longest, corners, before: state.clone() }
+    }
+
+    /// Where the steps from `t` towards `t_1` have to end first: there, or at a corner before. One that is nearer to either than the
+    /// shortest step is passed over.
+    fn goal(&self, t: f64, t_1: f64) -> f64 {
+        let near = SHORTEST * self.longest;
+        let next = self.corners.partition_point(|corner| *corner <= t + near);
+        self.corners.get(next).copied().filter(|corner| *corner < t_1 - near).unwrap_or(t_1)
     }
 
     /// How much longer the next step may be, for the estimate of this one.
@@ -75,20 +88,31 @@ impl<M: Embedded> Integrator for Adaptive<M> {
 
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
         self.before.copy_from(state);
+        let t_1 = self.goal(state.t, t_1);
         loop {
             let left = t_1 - state.t;
             // Equal steps to the end; a remainder of rounding is no step.
             let parts = (left / self.next - 1e-6).ceil().max(1.0);
             let dt = left / parts;
             let end = if parts == 1.0 { t_1 } else { state.t + dt };
-            let error = match self.method.make(structure, state, dt, end, counts) {
-                Ok(()) => self.method.error(structure, &self.before, state, dt, counts),
-                Err(Error::NewtonFailed { .. } | Error::Singular { .. } | Error::NotFinite { .. }) => f64::INFINITY,
-                Err(other) => return Err(other),
+            let made = self.method.make(structure, state, dt, end, counts);
+            let mut failed = made.and_then(|()| structure.check_collapse(&self.before.u, &state.u, end)).err();
+            let error = match failed {
+                None => self.method.error(structure, &self.before, state, dt, counts),
+                Some(
+                    Error::NewtonFailed { .. }
+                    | Error::Singular { .. }
+                    | Error::NotFinite { .. }
+                    | Error::Collapsed { .. },
+                ) => f64::INFINITY,
+                Some(other) => return Err(other),
             };
             let stretch = self.stretch(error);
             if error <= self.tolerance {
-                if stretch >= LONGER.1 || stretch < 1.0 {
+                if stretch >= LONGER.0 {
+                    // A step that was cut short by a corner or a row says nothing of longer ones than this.
+                    self.next = (dt * stretch).max(self.next).min(self.longest);
+                } else if stretch >= LONGER.1 || stretch < 1.0 {
                     self.next = (dt * stretch).min(self.longest);
                 }
                 counts.steps += 1;
@@ -99,6 +123,10 @@ impl<M: Embedded> Integrator for Adaptive<M> {
             self.method.undo();
             self.next = dt * stretch.min(SAFETY);
             if self.next < SHORTEST * self.longest {
+                // Nothing shorter mends it.
+                if let Some(collapsed @ Error::Collapsed { .. }) = failed.take() {
+                    return Err(collapsed);
+                }
                 let (time, step, tolerance) = (state.t, self.next, self.tolerance);
                 return Err(Error::StepTooSmall { time, step, error, tolerance });
             }

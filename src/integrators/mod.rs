@@ -102,11 +102,11 @@ pub fn integrator(
         Method::Nystrom => Box::new(Nystrom::new(structure, state, step, counts)?),
         Method::GaussAdaptive => {
             let method = Gauss::new(structure, step, newton);
-            Box::new(Adaptive::new(method, state, scene.time.tolerance, step))
+            Box::new(Adaptive::new(method, structure, state, scene.time.tolerance, step))
         }
         Method::NystromAdaptive => {
             let method = Nystrom::unchecked(structure, state, step, counts)?;
-            Box::new(Adaptive::new(method, state, scene.time.tolerance, step))
+            Box::new(Adaptive::new(method, structure, state, scene.time.tolerance, step))
         }
         Method::Static => Box::new(Statics::new(structure, newton)),
     })

@@ -18,7 +18,7 @@ use super::{BandMatrix, SingularAt};
 const SHARED: usize = 4;
 
 /// Most border unknowns of a chain: two components of two ends and of a pivot.
-pub const MOST_TOUCHED: usize = 6;
+pub const MOST_BORDER_UNKNOWNS: usize = 6;
 
 /// The least part of the largest entry that serves as a pivot where it stands: changing rows costs more than the digit that may be
 /// lost with it.
@@ -120,7 +120,7 @@ impl<F: Number, const N: usize> Elements<F, N> {
 
     /// Memory that the factors take for each element at most, bytes.
     pub const fn bytes_each() -> usize {
-        size_of::<Front<F, N>>() + MOST_TOUCHED * size_of::<Side<F, N>>()
+        size_of::<Front<F, N>>() + MOST_BORDER_UNKNOWNS * size_of::<Side<F, N>>()
     }
 
     /// Coordinates that are eliminated in a front: in the last one all.
@@ -151,16 +151,16 @@ impl<const N: usize> Place<N> {
 
 /// What the border adds to the front that is being eliminated, and what is left of it by those before.
 struct Border<F, const N: usize> {
-    sides: [Side<F, N>; MOST_TOUCHED],
-    corner: [[F; MOST_TOUCHED]; MOST_TOUCHED],
+    sides: [Side<F, N>; MOST_BORDER_UNKNOWNS],
+    corner: [[F; MOST_BORDER_UNKNOWNS]; MOST_BORDER_UNKNOWNS],
 }
 
 impl<F: Number, const N: usize> Border<F, N> {
     fn zeros() -> Border<F, N> {
         let none = [F::zero(); N];
         Border {
-            sides: [Side { right: none, below: none }; MOST_TOUCHED],
-            corner: [[F::zero(); MOST_TOUCHED]; MOST_TOUCHED],
+            sides: [Side { right: none, below: none }; MOST_BORDER_UNKNOWNS],
+            corner: [[F::zero(); MOST_BORDER_UNKNOWNS]; MOST_BORDER_UNKNOWNS],
         }
     }
 
@@ -202,7 +202,7 @@ impl<F: Number, const N: usize> Border<F, N> {
     #[inline(always)]
     fn eliminate(&mut self, k: usize, lower: &[F; N], front: &[[F; N]; N], reached: usize) {
         let row: [F; N] = std::array::from_fn(|column| if column > k { front[column][k] } else { F::zero() });
-        let pivots_right: [F; MOST_TOUCHED] = std::array::from_fn(|t| self.sides[t].right[k]);
+        let pivots_right: [F; MOST_BORDER_UNKNOWNS] = std::array::from_fn(|t| self.sides[t].right[k]);
         for (side, corner) in self.sides[..reached].iter_mut().zip(&mut self.corner) {
             subtract(side.right[k], lower, &mut side.right);
             let factor = side.below[k] * front[k][k];

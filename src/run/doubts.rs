@@ -2,15 +2,18 @@
 
 use nalgebra::DVector;
 
+use super::loads::Loads;
 use crate::error::{Error, Result};
 use crate::integrators::State;
 use crate::scene::{Method, Scene};
 use crate::structure::Structure;
 
-/// Explicit steps are much cheaper than a look at every element, and too short for one to collapse unseen between ten.
-const EXPLICIT_STEPS: usize = 10;
+/// How far nodes may move from one look at the elements to the next, of an element's length, and slopes turn. r_x and r_y then change by
+/// no more than an eighth anywhere ([`Structure::moved`]): an element that goes on to collapse is seen within that, and what comes back
+/// within it was hardly gone. A look at each step would be a quarter of an explicit run's time (8 elements), at these it is a hundredth.
+const UNSEEN: f64 = 0.01;
 
-/// Part of the loads from which rounding is warned of.
+/// Part of the loads, or of the least of them, from which rounding is warned of.
 const WARNED: f64 = 1e-4;
 
 /// Part of the displacement from which it is: an estimate for errors of one sign, which mostly have both.
@@ -26,29 +29,45 @@ const NO_DIGIT: f64 = 0.5;
 pub struct Watch {
     /// Displacement that was looked at last.
     before: DVector<f64>,
-    /// Steps between two looks, and until the next.
-    every: usize,
-    left: usize,
-    /// Size of what moves the structure, N; `None` in statics, and where nothing is known to.
-    loads: Option<f64>,
-    /// Largest share of it that rounding has had.
-    share: f64,
+    /// `None` in statics, which has its own.
+    rounding: Option<Rounding>,
+}
+
+/// The largest shares that rounding has had so far.
+struct Rounding {
+    /// Beside what rounding is judged.
+    beside: Beside,
+    /// Of all loads, of the least of them; or of the structure's size.
+    shares: [f64; 2],
+}
+
+enum Beside {
+    Loads(Loads),
+    /// Nothing moves the structure: it rests, or goes on as it began, and is where it is known to be. Its size, m, and memory.
+    Known {
+        size: f64,
+        off: DVector<f64>,
+    },
 }
 
 impl Watch {
-    pub fn new(scene: &Scene, start: &DVector<f64>) -> Watch {
-        let every = if scene.time.method.is_explicit() { EXPLICIT_STEPS } else { 1 };
-        let loads = (scene.time.method != Method::Static).then(|| loads(scene)).filter(|loads| *loads > 0.0);
-        Watch { before: start.clone(), every, left: every, loads, share: 0.0 }
+    pub fn new(scene: &Scene, structure: &Structure) -> Watch {
+        let rounding = (scene.time.method != Method::Static).then(|| {
+            let loads = Loads::of(scene);
+            let known = || Beside::Known { size: scene.size(), off: DVector::zeros(structure.size()) };
+            let beside = if loads.all > 0.0 { Beside::Loads(loads) } else { known() };
+            Rounding { beside, shares: [0.0; 2] }
+        });
+        Watch { before: structure.start().clone(), rounding }
     }
 
-    /// Looks at the state after a step, where it is time to.
+    /// Looks at the state after a step, where it has moved since the last look.
     ///
     /// # Errors
     /// [`Error::Collapsed`].
     pub fn step(&mut self, structure: &Structure, state: &State) -> Result<()> {
-        self.left -= 1;
-        if self.left == 0 { self.look(structure, state) } else { Ok(()) }
+        // What is no number has moved.
+        if structure.moved(&self.before, &state.u) <= UNSEEN { Ok(()) } else { self.look(structure, state) }
     }
 
     /// Looks at the state of an output row.
@@ -57,80 +76,87 @@ impl Watch {
     /// [`Error::Collapsed`], [`Error::LostInRounding`].
     pub fn row(&mut self, structure: &Structure, state: &State) -> Result<()> {
         self.look(structure, state)?;
-        let Some(loads) = self.loads else { return Ok(()) };
-        self.share = self.share.max(structure.rounding_force(&state.u) / loads);
-        if self.share > LOST {
-            return Err(Error::LostInRounding { time: state.t, share: self.share, of: "loads" });
-        }
-        Ok(())
+        self.rounding.as_mut().map_or(Ok(()), |rounding| rounding.row(structure, state))
     }
 
     fn look(&mut self, structure: &Structure, state: &State) -> Result<()> {
-        self.left = self.every;
         structure.check_collapse(&self.before, &state.u, state.t)?;
         self.before.copy_from(&state.u);
         Ok(())
     }
 
-    /// Doubts about the whole run.
+    /// Adds doubts about the whole run to the warnings; in how many directions the equilibrium of statics is unstable.
     ///
     /// # Errors
     /// [`Error::LostInRounding`].
-    pub fn end(self, scene: &Scene, structure: &Structure, state: &State) -> Result<Vec<String>> {
-        if scene.time.method != Method::Static {
-            return Ok(rounding_warning(self.share, WARNED, "loads").into_iter().collect());
+    pub fn end(self, structure: &Structure, state: &State, warnings: &mut Vec<String>) -> Result<usize> {
+        if let Some(rounding) = self.rounding {
+            warnings.extend(rounding.warning());
+            return Ok(0);
         }
         let share = structure.rounding_of_equilibrium(&state.u, state.t).unwrap_or(0.0);
         if share > NO_DIGIT {
-            return Err(Error::LostInRounding { time: state.t, share, of: "displacement" });
+            return Err(Error::LostInRounding { time: state.t, share, of: "displacement", statics: true });
         }
-        Ok(stability_warning(structure, state)
-            .into_iter()
-            .chain(rounding_warning(share, WARNED_IN_STATICS, "displacement"))
-            .collect())
+        let unstable = structure.unstable_directions(&state.u, state.t).unwrap_or(0);
+        warnings.extend((unstable > 0).then(|| stability_warning(unstable)));
+        warnings.extend((share > WARNED_IN_STATICS).then(|| rounding_warning(share, "displacement")));
+        Ok(unstable)
     }
 }
 
-/// Size of what moves a structure, N: weights, forces, heat, and what bends the paths of an initial motion.
-fn loads(scene: &Scene) -> f64 {
-    let of_rods = scene.rods.iter().map(|rod| {
-        let (material, section) = (scene.material(rod), scene.section(rod));
-        let area = section.height * section.width;
-        let ends = [&rod.from, &rod.to].map(|point| scene.points.get(point).copied().unwrap_or_default());
-        let length = (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]);
-        let mass = material.rho * area * length;
-        let weight = mass * scene.gravity[0].hypot(scene.gravity[1]);
-        let hottest = scene
-            .heat(rod)
-            .map_or(0.0, |heat| heat.history.iter().map(|pair| (material.alpha * pair[1]).abs()).fold(0.0, f64::max));
-        let fastest = scene
-            .motion
-            .as_ref()
-            .map_or(0.0, |motion| ends.map(|end| motion.at(end)).iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max));
-        weight + material.youngs_modulus * area * hottest + mass * fastest * fastest / length
-    });
-    let of_forces = scene.forces.iter().map(|force| {
-        let factor = force.history.iter().flatten().map(|pair| pair[1].abs()).fold(0.0, f64::max);
-        let factor = if force.history.is_some() { factor } else { 1.0 };
-        force.force[0].hypot(force.force[1]) * factor
-    });
-    of_rods.chain(of_forces).sum()
+impl Rounding {
+    fn row(&mut self, structure: &Structure, state: &State) -> Result<()> {
+        let shares = match &mut self.beside {
+            Beside::Loads(loads) => [loads.all, loads.least].map(|load| structure.rounding_force(&state.u) / load),
+            Beside::Known { size, off } => {
+                off.copy_from(&state.u);
+                *off -= structure.start();
+                off.axpy(-state.t, structure.start_velocity(), 1.0);
+                [structure.farthest(off) / (*size + state.t * structure.farthest(structure.start_velocity())); 2]
+            }
+        };
+        for (largest, share) in self.shares.iter_mut().zip(shares) {
+            *largest = largest.max(share);
+        }
+        let [share, _] = self.shares;
+        if share > LOST {
+            return Err(Error::LostInRounding { time: state.t, share, of: self.beside.words(), statics: false });
+        }
+        Ok(())
+    }
+
+    fn warning(&self) -> Option<String> {
+        let ([share, of_least], of) = (self.shares, self.beside.words());
+        let least = if of_least > WARNED.max(1.5 * share) {
+            format!("{of}, {of_least:.0e} of the least of them")
+        } else {
+            of.into()
+        };
+        (share > WARNED || of_least > WARNED).then(|| rounding_warning(share, &least))
+    }
 }
 
-fn rounding_warning(share: f64, warned: f64, of: &str) -> Option<String> {
-    (share > warned).then(|| {
-        format!(
-            "rounding errors of the elastic forces may be as much as {share:.0e} of the {of}: the structure is so stiff, or so \
-             slender, that few digits are left"
-        )
-    })
+impl Beside {
+    fn words(&self) -> &'static str {
+        match self {
+            Beside::Loads(_) => "loads",
+            Beside::Known { .. } => "size of the structure, which nothing moves",
+        }
+    }
+}
+
+fn rounding_warning(share: f64, of: &str) -> String {
+    format!(
+        "rounding errors of the elastic forces may be as much as {share:.0e} of the {of}: the structure is so stiff, or so slender, \
+         that few digits are left"
+    )
 }
 
 /// An equilibrium that would not stay: a column above its Euler load.
-fn stability_warning(structure: &Structure, state: &State) -> Option<String> {
-    let directions = structure.unstable_directions(&state.u, state.t).filter(|count| *count > 0)?;
-    Some(format!(
-        "the equilibrium found is unstable, in {directions} direction(s): the structure is pressed beyond its buckling load and \
-         would bend out of this position; a small force across shows where to"
-    ))
+fn stability_warning(directions: usize) -> String {
+    format!(
+        "the equilibrium found is unstable, in {directions} direction(s): the structure is pressed beyond its buckling load and would \
+         bend out of this position; a small force across shows where to"
+    )
 }

@@ -68,8 +68,9 @@ impl Scene {
 }
 
 fn unknown(name: &str) -> String {
-    let nearest = nearest(name, builtin_names()).unwrap_or_default();
-    format!("no built-in scene has this name; the nearest is `{nearest}`, `ancf scenes` lists all")
+    let nearest =
+        nearest(name, builtin_names()).map_or(String::new(), |nearest| format!("the nearest is `{nearest}`, "));
+    format!("no built-in scene has this name; {nearest}`ancf scenes` lists all")
 }
 
 /// The text of the file at `path`.

@@ -91,12 +91,22 @@ pub(crate) fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str
     Ok(read)
 }
 
-/// The known name that is most like `name`, whatever the case of its letters.
+/// Likeness under which a known name is no suggestion: with more than half of the letters others, it is another name and not a misspelt
+/// one.
+const ALIKE: f64 = 0.5;
+
+/// The known name that is most like `name`, whatever the case of its letters; `None` where none is like it.
 pub(super) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let prepare = |name: &str| name.chars().take(COMPARED).collect::<String>().to_lowercase();
     let name = prepare(name);
     let likeness = |other: &str| strsim::normalized_damerau_levenshtein(&name, &prepare(other));
-    known.into_iter().map(|other| (likeness(other), other)).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, other)| other)
+    let known = known.into_iter().map(|other| (likeness(other), other)).filter(|(likeness, _)| *likeness >= ALIKE);
+    known.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, other)| other)
+}
+
+/// The same in words behind what is allowed; nothing where there is none.
+pub(super) fn or_nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(name, known).map_or(String::new(), |nearest| format!("; nearest: `{nearest}`"))
 }
 
 /// Reads a scene that is not validated yet; on failure the refusal with its line and column.
@@ -180,7 +190,7 @@ fn whole(key: &str) -> String {
 /// The known names, and the one nearest to `name`.
 fn one_of<'a>(known: impl Iterator<Item = &'a str> + Clone, name: &str) -> String {
     let all = known.clone().collect::<Vec<_>>().join("`, `");
-    format!("`{all}`; nearest: `{}`", nearest(name, known).unwrap_or_default())
+    format!("`{all}`{}", or_nearest(name, known))
 }
 
 /// serde's words for a pair of numbers, the only list of fixed length in a scene.

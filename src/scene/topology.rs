@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 
-use super::parse::nearest;
+use super::parse::or_nearest;
 use super::validate::{Check, finite, require};
 use super::{Element, Poisson, Rod, Scene};
 
@@ -14,6 +14,9 @@ pub(super) const MOST_ELEMENTS: usize = 100_000;
 /// Shortest rod relative to the largest coordinate of its ends: below, the difference of its ends has no more than
 /// seven digits.
 const SHORTEST: f64 = 1e-9;
+
+/// Most names that a message lists.
+const MOST_NAMES: usize = 8;
 
 /// How far apart the middles of two rods with one pivot may be, relative to the shorter rod.
 const SAME_PLACE: f64 = 1e-9;
@@ -97,15 +100,11 @@ fn check_pivots(scene: &Scene) -> Check {
 
 fn check_same_middle(scene: &Scene, first: &Rod, other: &Rod, key: impl Display) -> Check {
     let (Some(a), Some(b)) = (scene.middle(first), scene.middle(other)) else { return Ok(()) };
-    let length = |rod: &Rod| match (scene.points.get(&rod.from), scene.points.get(&rod.to)) {
-        (Some([x_0, y_0]), Some([x_1, y_1])) => (x_1 - x_0).hypot(y_1 - y_0),
-        _ => 0.0,
-    };
     let (first_name, other_name) = (&first.name, &other.name);
     let allowed = format_args!(
         "rods whose middles are at one place: `{first_name}` has its middle at {a:?}, `{other_name}` at {b:?}"
     );
-    let holds = (a[0] - b[0]).hypot(a[1] - b[1]) <= SAME_PLACE * length(first).min(length(other));
+    let holds = (a[0] - b[0]).hypot(a[1] - b[1]) <= SAME_PLACE * scene.length(first).min(scene.length(other));
     require(holds, key, format_args!("{:?}", other.pivot.as_deref().unwrap_or_default()), allowed)
 }
 
@@ -122,10 +121,8 @@ fn check_point(scene: &Scene, key: impl Display, name: &str) -> Check {
     if scene.points.contains_key(name) {
         return Ok(());
     }
-    let allowed = match nearest(name, scene.points.keys().map(String::as_str)) {
-        Some(nearest) => format!("the name of a point in `points`; nearest: `{nearest}`"),
-        None => "the name of a point in `points`, which is empty".into(),
-    };
+    let known = || scene.points.keys().map(String::as_str);
+    let allowed = format!("the name of a point in `points` ({}){}", list(known()), or_nearest(name, known()));
     require(false, key, format_args!("{name:?}"), allowed)
 }
 
@@ -134,17 +131,29 @@ pub(super) fn check_node(scene: &Scene, key: impl Display, name: &str) -> Check 
     if scene.position(name).is_some() {
         return Ok(());
     }
-    let pivots = scene.rods.iter().filter_map(|rod| rod.pivot.as_deref());
-    let nearest = nearest(name, scene.points.keys().map(String::as_str).chain(pivots)).unwrap_or_default();
-    let allowed = format_args!("the name of a point in `points` or of a rod's pivot; nearest: `{nearest}`");
+    let pivots: BTreeSet<&str> = scene.rods.iter().filter_map(|rod| rod.pivot.as_deref()).collect();
+    let known = || scene.points.keys().map(String::as_str).chain(pivots.iter().copied());
+    let nearest = or_nearest(name, known());
+    let gone = if nearest.is_empty() { "; where a point was taken away, what stands at it goes too" } else { "" };
+    let allowed = format!("the name of a point in `points` or of a rod's pivot ({}){nearest}{gone}", list(known()));
     require(false, key, format_args!("{name:?}"), allowed)
+}
+
+/// Names in a row, or the first of them.
+fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
+    let more = if names.len() > MOST_NAMES { ", …" } else { "" };
+    match names.len() {
+        0 => "there is none".into(),
+        n => names[..n.min(MOST_NAMES)].join(", ") + more,
+    }
 }
 
 /// Refuses a name that is not that of a rod, or of a rod without a node at `point`, if there is one.
 pub(super) fn check_rod(scene: &Scene, key: impl Display, name: &str, point: Option<&str>) -> Check {
     let Some(rod) = scene.rods.iter().find(|rod| rod.name == name) else {
-        let nearest = nearest(name, scene.rods.iter().map(|rod| rod.name.as_str())).unwrap_or_default();
-        let allowed = format_args!("the name of a rod; nearest: `{nearest}`");
+        let known = || scene.rods.iter().map(|rod| rod.name.as_str());
+        let allowed = format!("the name of a rod ({}){}", list(known()), or_nearest(name, known()));
         return require(false, key, format_args!("{name:?}"), allowed);
     };
     let Some(point) = point else { return Ok(()) };

@@ -13,7 +13,7 @@ use super::{Kind, Node, Point, Structure, mobility};
 use crate::error::{Error, Result};
 use crate::kernel::Meaning;
 use crate::plan::Plan;
-use crate::scene::{Constraints, Method, Motion, Scene, Start};
+use crate::scene::{Constraints, Method, Motion, Scene, Start, times_of};
 
 /// More memory than this for one matrix, in bytes, is refused: a structure that needs it is not a few rods.
 const MOST_BYTES: usize = 2 << 30;
@@ -52,6 +52,7 @@ impl Structure {
             shortest: rods.iter().map(|rod| rod.along.norm()).fold(f64::INFINITY, f64::min),
             rounded: rods.iter().map(|rod| rod.mesh.rounded()).fold(0.0, f64::max),
             weights: DVector::from_iterator(kinds.len(), kinds.iter().map(Kind::weight)),
+            shares: shares(&rods, &kinds),
             rods: rods.into(),
             kinds,
             points,
@@ -63,6 +64,7 @@ impl Structure {
             start: DVector::zeros(size),
             start_velocity: DVector::zeros(size),
             grows: scene.time.method == Method::Static,
+            times: times(scene),
             unit_forces: DVector::zeros(size),
         };
         structure.rods.iter().for_each(|rod| rod.mesh.add_gravity(&mut structure.gravity));
@@ -140,6 +142,30 @@ impl Kind {
             Kind::Multiplier => 0.0,
         }
     }
+}
+
+/// What a change of each unknown is to an element ([`Structure::moved`]); to the shortest one, where several meet.
+fn shares(rods: &[Rod], kinds: &[Kind]) -> DVector<f64> {
+    let mut shares = DVector::zeros(kinds.len());
+    for rod in rods {
+        let l = rod.along.norm();
+        for unknown in rod.chain.iter().flat_map(|vector| vector.unknowns).flatten() {
+            let share = match kinds[unknown] {
+                Kind::Position => 1.0 / l,
+                Kind::Slope(length) => f64::max(1.0, length / l),
+                Kind::Multiplier => 0.0,
+            };
+            shares[unknown] = f64::max(shares[unknown], share);
+        }
+    }
+    shares
+}
+
+/// Start, end and the corners of all histories between them.
+fn times(scene: &Scene) -> Vec<f64> {
+    let of_rods = scene.rods.iter().filter_map(|rod| Some(scene.heat(rod)?.history.as_slice()));
+    let of_forces = scene.forces.iter().filter_map(|force| force.history.as_deref());
+    times_of(of_rods.chain(of_forces), scene.time.end)
 }
 
 /// Refuses a matrix that would not fit into memory.

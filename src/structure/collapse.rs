@@ -6,6 +6,31 @@ use super::Structure;
 use crate::error::{Error, Result};
 
 impl Structure {
+    /// The largest change of a position over the length of its elements, or of a slope, from one displacement to another; of r_y times
+    /// h/l in elements that are higher than long.
+    ///
+    /// Where it is δ no r_x changes by more than 13 δ, and no r_y by more than 1.3 δ, at any quadrature point: the sums over an element's
+    /// nodal vectors of |∂S/∂x| and |∂S/∂y| times what each of them is measured by.
+    pub fn moved(&self, before: &DVector<f64>, u: &DVector<f64>) -> f64 {
+        // Four at a time: one after the other they would wait for one another.
+        let (mut largest, mut sum) = ([0.0_f64; 4], [0.0_f64; 4]);
+        let mut look_at = |before: &[f64], u: &[f64], shares: &[f64]| {
+            for (n, ((before, u), share)) in before.iter().zip(u).zip(shares).enumerate() {
+                let moved = ((u - before) * share).abs();
+                largest[n] = if moved > largest[n] { moved } else { largest[n] };
+                sum[n] += moved;
+            }
+        };
+        let (before, last_before) = before.as_slice().as_chunks::<4>();
+        let (u, last) = u.as_slice().as_chunks::<4>();
+        let (shares, last_shares) = self.shares.as_slice().as_chunks::<4>();
+        before.iter().zip(u).zip(shares).for_each(|((before, u), shares)| look_at(before, u, shares));
+        look_at(last_before, last, last_shares);
+        // A comparison drops a NaN; a sum does not.
+        let sum: f64 = sum.iter().sum();
+        if sum.is_nan() { sum } else { largest.into_iter().fold(0.0, f64::max) }
+    }
+
     /// Refuses a state `u` in which an element has collapsed ([`Beam::left`](crate::kernel::Beam::left)); `before` is the state that
     /// was looked at last. The equations still have solutions there, of an element that is its own mirror image.
     ///
@@ -15,7 +40,7 @@ impl Structure {
         for rod in &*self.rods {
             if let Some(element) = rod.mesh.collapsed(before, u) {
                 let (element, elements) = (element + 1, rod.elements);
-                return Err(Error::Collapsed { rod: rod.name.clone(), element, elements, time });
+                return Err(Error::Collapsed { rod: rod.name.clone(), element, elements, time, statics: self.grows });
             }
         }
         Ok(())

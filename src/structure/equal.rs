@@ -49,6 +49,9 @@ impl<B: Beam<N>, const N: usize> Equal<B, N> {
             ElementMatrix::Tangent { u, eps_t, stiffness, mass } => {
                 put(stiffness, &self.beam.tangent(&place.gather(u), eps_t), mass);
             }
+            ElementMatrix::Stretched { stretch, eps_t, stiffness, mass } => {
+                put(stiffness, &self.beam.tangent(&self.stretched(stretch), eps_t), mass);
+            }
             ElementMatrix::Mixed { before, u, eps_t } => {
                 put(1.0, &self.beam.mixed_tangent(&place.gather(before), &place.gather(u), eps_t), 0.0);
             }

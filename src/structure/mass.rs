@@ -19,7 +19,7 @@ use super::{ElementMatrix, Structure};
 use crate::linear::{BandLu, BandMatrix, BorderedLu, SingularAt, TwinBand, flush};
 
 /// Most vectors of the border that a rod touches: positions and slopes of two ends and of a pivot.
-const MOST_TOUCHED: usize = 6;
+const MOST_BORDER_VECTORS: usize = 6;
 
 /// Factors of a structure's mass matrix.
 #[derive(Debug)]
@@ -233,7 +233,7 @@ impl RodFactors {
         if self.touches.is_empty() {
             return;
         }
-        let mut of_border = [Vector2::zeros(); MOST_TOUCHED];
+        let mut of_border = [Vector2::zeros(); MOST_BORDER_VECTORS];
         of_border.iter_mut().zip(&self.touches).for_each(|(a, &touched)| *a = border[touched].get(rest));
         for (row, &place) in self.response.chunks_exact(self.touches.len()).zip(&self.free) {
             let mut a = vector_at(b, place);

@@ -18,6 +18,13 @@ pub(super) enum ElementMatrix<'a> {
         stiffness: f64,
         mass: f64,
     },
+    /// The same of every element at these stretches less 1.
+    Stretched {
+        stretch: [f64; 2],
+        eps_t: ThermalStrain,
+        stiffness: f64,
+        mass: f64,
+    },
     /// [`Beam::mixed_tangent`](crate::kernel::Beam::mixed_tangent).
     Mixed {
         before: &'a DVector<f64>,

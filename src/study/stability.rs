@@ -24,6 +24,7 @@ mod singular;
 mod slender;
 mod step_size;
 mod stiff;
+mod still;
 mod text;
 mod tools;
 mod units;

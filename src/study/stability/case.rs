@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::row::{Row, Verdict};
 use super::{
     bad, collapsed, far, fine, heat, honest, inclined, joined, long, poisson, rotation, shock, singular, slender,
-    step_size, stiff, units,
+    step_size, stiff, still, units,
 };
 use crate::counts::Counts;
 use crate::error::{Error, Result};
@@ -34,6 +34,7 @@ pub struct Case {
 /// All cases, in the order of the table.
 pub const CASES: &[Case] = &[
     stiff::CASE,
+    still::CASE,
     slender::CASE,
     joined::CASE,
     heat::FREE,

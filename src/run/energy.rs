@@ -1,0 +1,124 @@
+//! The energies of a run: what was there at the start, what has been put in since, and whether both balance.
+
+use nalgebra::DVector;
+
+use crate::error::{Error, Result};
+use crate::integrators::State;
+use crate::kernel::ThermalStrain;
+use crate::scene::{Method, Scene};
+use crate::structure::{StepEnds, Structure};
+
+/// Imbalance that is warned of, of what the energies change by. In every built-in scene by every method it is below a third of this, but
+/// where heat comes suddenly and the method damps the wave: there positions are off by centimetres.
+const WARNED: f64 = 0.01;
+
+/// J.
+pub struct Energy {
+    /// Of the start.
+    start: f64,
+    /// The kinetic part of it.
+    kinetic: f64,
+    input: f64,
+    /// The most that forces, heat and the fall of weights have put in so far.
+    supply: f64,
+    /// Whether forces or heat put energy in.
+    pub works: bool,
+    /// Least and most that the rows have of kinetic energy, from zero on, of strain energy and of potential energy.
+    ranges: [[f64; 2]; 3],
+    /// The balance of the row where it is largest.
+    imbalance: f64,
+    /// What is computed with.
+    thermal: [Vec<ThermalStrain>; 2],
+    vector: DVector<f64>,
+}
+
+impl Energy {
+    pub fn new(scene: &Scene, structure: &Structure, state: &State) -> Energy {
+        let thermal = structure.thermal_strains(0.0);
+        // Before a sudden start there is no strain energy; the heat that then appears puts in what is there at t = 0.
+        let input = structure.strain_energy(&state.u, &thermal);
+        let mut vector = DVector::zeros(structure.size());
+        let kinetic = structure.kinetic_energy(&state.v, &mut vector);
+        let start = kinetic - structure.gravity().dot(&state.u);
+        let heats = scene.rods.iter().any(|rod| scene.heat(rod).is_some_and(|heat| heat.history.len() > 1));
+        let works = !scene.forces.is_empty() || heats;
+        let nothing = [f64::INFINITY, f64::NEG_INFINITY];
+        let ranges = [[0.0, 0.0], nothing, nothing];
+        let thermal = [thermal.clone(), thermal];
+        Energy { start, kinetic, input, supply: 0.0, works, ranges, imbalance: 0.0, thermal, vector }
+    }
+
+    /// Adds work that is known.
+    pub fn put_in(&mut self, work: f64) {
+        self.input += work;
+    }
+
+    /// Adds the work of forces and of heating over a step from what is known at its ends: of second order, and exact for the
+    /// energy–momentum rule.
+    pub fn work(&mut self, structure: &Structure, before: &State, after: &State) {
+        let [thermal_0, thermal_1] = &mut self.thermal;
+        structure.thermal_strains_into(before.t, thermal_0);
+        structure.thermal_strains_into(after.t, thermal_1);
+        if thermal_0 != thermal_1 {
+            let ends = StepEnds { u_0: &before.u, u_1: &after.u, thermal_0, thermal_1 };
+            self.input += structure.heating_work(&ends);
+        }
+        let force = &mut self.vector;
+        force.fill(0.0);
+        structure.add_point_forces(before.t, 0.5, force);
+        structure.add_point_forces(after.t, 0.5, force);
+        self.input += force.dot(&after.u) - force.dot(&before.u);
+    }
+
+    /// Kinetic, strain and potential energy, input and balance.
+    pub fn row(&mut self, structure: &Structure, state: &State) -> [f64; 5] {
+        let kinetic = structure.kinetic_energy(&state.v, &mut self.vector);
+        let [thermal, _] = &mut self.thermal;
+        structure.thermal_strains_into(state.t, thermal);
+        let strain = structure.strain_energy(&state.u, thermal);
+        let potential = 0.0 - structure.gravity().dot(&state.u);
+        [kinetic, strain, potential, self.input, kinetic + strain + potential - self.start - self.input]
+    }
+
+    /// Takes note of a row, and refuses a state with twice the energy that was put in: no method may create any, and one whose step is
+    /// far too long for a sudden load does.
+    ///
+    /// # Errors
+    /// [`Error::EnergyAppeared`].
+    pub fn check(&mut self, row: [f64; 5], structure: &Structure, state: &State, method: Method) -> Result<()> {
+        let [kinetic, strain, potential, input, created] = row;
+        for ([least, most], energy) in self.ranges.iter_mut().zip([kinetic, strain, potential]) {
+            (*least, *most) = (least.min(energy), most.max(energy));
+        }
+        if created.abs() > self.imbalance.abs() {
+            self.imbalance = created;
+        }
+        self.supply = self.supply.max(self.kinetic + input.abs() + (potential - (self.start - self.kinetic)).abs());
+        if created > self.supply + structure.energy_rounding() {
+            let (time, step, supply) = (state.t, state.step, self.supply);
+            return Err(Error::EnergyAppeared { time, step, created, supply, method });
+        }
+        Ok(())
+    }
+
+    /// Energies that miss their balance by more than a hundredth of what they change by, and more than rounding.
+    pub fn warning(&self, structure: &Structure, method: Method) -> Option<String> {
+        let changes: f64 = self.ranges.iter().map(|[least, most]| most - least).sum();
+        let missed = self.imbalance.abs();
+        if missed <= WARNED * changes + structure.energy_rounding() {
+            return None;
+        }
+        let share = 100.0 * missed / changes;
+        let (moved, why) = match method {
+            _ if self.imbalance > 0.0 => ("appeared", "its steps are too long for what comes suddenly".to_string()),
+            Method::GeneralizedAlpha | Method::Nystrom | Method::NystromAdaptive => {
+                ("was lost", format!("\"{method}\" damps vibrations that its steps do not resolve"))
+            }
+            _ => ("was lost", "its steps are too long".into()),
+        };
+        Some(format!(
+            "energy {moved}: {missed:.1e} J, {share:.1} % of what the energies change by; {why}, and positions follow: compare with a \
+             smaller step, or another method"
+        ))
+    }
+}

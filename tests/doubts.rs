@@ -1,0 +1,145 @@
+//! What a run says of its own result: rounding as large as what moves the structure, whatever else acts on it, and energies that do
+//! not balance.
+//!
+//! Source: a strain carries ε_mach |u|/l, which EA = 8·10¹⁶ N makes 17 N and more beside a weight of 30 N: no digit is left of the
+//! pendulum's motion at E = 2·10²⁰ Pa, by any load that does not move it.
+
+mod common;
+
+use ancf::error::Error;
+use ancf::run::run;
+use ancf::scene::{Direction, Element, Force, Method, Motion, Scene, Start, Support, Temperature, ThermalModel};
+use common::motion::{must_run, positions};
+
+/// The pendulum of E = 2·10²⁰ Pa, four elements, 2 s.
+fn stiff() -> Scene {
+    let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+    (scene.material.youngs_modulus, scene.rods[0].elements) = (2e20, 4);
+    (scene.time.method, scene.time.step, scene.time.end) = (Method::EnergyMomentum, 1e-3, 2.0);
+    scene.output.interval = Some(0.01);
+    scene
+}
+
+fn force(point: &str, force: [f64; 2], history: Option<Vec<[f64; 2]>>) -> Force {
+    Force { point: point.into(), force, history }
+}
+
+fn heat(start: Start, history: Vec<[f64; 2]>) -> Option<Temperature> {
+    Some(Temperature { model: ThermalModel::TwoD, start, history })
+}
+
+fn assert_lost(what: &str, scene: &Scene) {
+    for method in [Method::EnergyMomentum, Method::GeneralizedAlpha] {
+        let mut scene = scene.clone();
+        scene.time.method = method;
+        match run(&scene) {
+            Err(Error::LostInRounding { share, of: "loads", .. }) => assert!(share > 0.05, "{what}: {share}"),
+            other => panic!("{what}, {method}: {:?}", other.map(|run| run.warnings)),
+        }
+    }
+}
+
+/// Each of these loads is far larger than the weight and moves nothing.
+#[test]
+fn loads_that_move_nothing_hide_no_rounding() {
+    assert_lost("the weight alone", &stiff());
+    let mut scene = stiff();
+    scene.forces.push(force("o", [1e9, -1e9], None));
+    assert_lost("a force at the hinge", &scene);
+    let mut scene = stiff();
+    scene.forces = vec![force("a", [1e9, 0.0], None), force("a", [-1e9, 0.0], None)];
+    assert_lost("forces that cancel", &scene);
+    let mut scene = stiff();
+    scene.forces.push(force("a", [0.0, -1e9], Some(vec![[0.0, 0.0], [2.0, 0.0], [3.0, 1.0]])));
+    assert_lost("a force after the end", &scene);
+    let mut scene = stiff();
+    scene.temperature = heat(Start::Relaxed, vec![[0.0, 200.0]]);
+    assert_lost("the constant heat of a relaxed start", &scene);
+    let mut scene = stiff();
+    scene.temperature = heat(Start::Sudden, vec![[0.0, 0.0], [2.5, 0.0], [3.0, 200.0]]);
+    assert_lost("heat after the end", &scene);
+    let mut scene = stiff();
+    scene.temperature = heat(Start::Sudden, vec![[0.0, 0.0], [2.0, 200.0]]);
+    assert_lost("heat that only stretches", &scene);
+    // It slides along x and is pressed across, and began with a speed.
+    let mut scene = stiff();
+    let slide = Support { point: "a".into(), fix: vec![Direction::Y], slide: None, clamp: None };
+    (scene.supports, scene.gravity) = (vec![slide], [9.8, 0.0]);
+    scene.forces.push(force("a", [0.0, 1e9], None));
+    scene.motion = Some(Motion { velocity: [1e3, 0.0], ..Motion::default() });
+    assert_lost("a force across a slide, and a velocity", &scene);
+}
+
+/// A force that moves one part is no measure of another's: said, where it is not refused.
+#[test]
+fn rounding_is_warned_of_beside_the_least_load() {
+    let mut scene = stiff();
+    scene.points.extend([("p".to_string(), [1.0, 1.0]), ("q".to_string(), [0.0, 2.0])]);
+    for (name, from, to) in [("up", "o", "q"), ("across", "p", "q")] {
+        let mut rod = scene.rods[0].clone();
+        (rod.name, rod.from, rod.to) = (name.into(), from.into(), to.into());
+        scene.rods.push(rod);
+    }
+    scene.supports.push(Support { point: "p".into(), ..scene.supports[0].clone() });
+    scene.forces.push(force("q", [0.0, -1e7], None));
+    scene.time.end = 0.2;
+    let warnings = must_run(&scene).warnings;
+    assert!(warnings.iter().any(|warning| warning.contains("of the least of them")), "{warnings:?}");
+}
+
+/// What nothing moves is where it has to be: at its start, or as far as it coasts. That is a result, and no refusal.
+#[test]
+fn what_nothing_moves_is_judged_by_where_it_has_to_be() {
+    for (element, method) in [
+        (Element::Ancf, Method::EnergyMomentum),
+        (Element::EulerBernoulli, Method::EnergyMomentum),
+        (Element::Ancf, Method::GeneralizedAlpha),
+        (Element::EulerBernoulli, Method::Gauss),
+    ] {
+        let mut scene = stiff();
+        (scene.gravity, scene.rods[0].element, scene.time.method) = ([0.0; 2], element, method);
+        scene.forces.push(force("o", [1e9, -1e9], None));
+        let run = must_run(&scene);
+        assert!(run.warnings.is_empty() && positions(&run, "tip").iter().all(|tip| *tip == [1.0, 0.0]));
+
+        scene.temperature = heat(Start::Relaxed, vec![[0.0, 200.0]]);
+        let run = must_run(&scene);
+        let first = positions(&run, "tip")[0];
+        let off = positions(&run, "tip").iter().map(|[x, y]| (x - first[0]).hypot(y - first[1])).fold(0.0, f64::max);
+        assert!(off < 1e-4 * 2f64.sqrt() && run.warnings.is_empty(), "{method}: {off:e} {:?}", run.warnings);
+
+        (scene.temperature, scene.supports, scene.forces) = (None, Vec::new(), Vec::new());
+        scene.motion = Some(Motion { velocity: [2.0, -1.0], ..Motion::default() });
+        let run = must_run(&scene);
+        let [x, y] = *positions(&run, "tip").last().unwrap();
+        assert!((x - 5.0).hypot(y + 2.0) < 1e-4 && run.warnings.is_empty(), "({x}, {y}) {:?}", run.warnings);
+    }
+}
+
+/// Sudden heat and steps that damp its wave: 4 % of the energy are lost with generalized-α, 3 % with "nystrom". That is said; of the
+/// same pendulum without heat, or by a method that keeps the energy, nothing is.
+#[test]
+fn energies_that_do_not_balance_are_warned_of() {
+    let warned = |name: &str, method: Method, step: f64, start: f64| {
+        let mut scene = Scene::builtin(name).unwrap();
+        (scene.time.method, scene.time.step, scene.output.interval) = (method, step, Some(0.01));
+        if let Some(heat) = &mut scene.temperature {
+            heat.history = vec![[0.0, start], [1.0, 200.0]];
+        }
+        let run = must_run(&scene);
+        let balance = run.trajectory.column("energy.balance").unwrap();
+        let missed = balance.iter().map(|balance| balance.abs()).fold(0.0, f64::max);
+        println!("{name}, {method}, {step:e} s: {missed:.1e} J, {:?}", run.warnings);
+        run.warnings.into_iter().find(|warning| warning.contains("energy was lost"))
+    };
+    let lost = warned("pendulum-2d", Method::GeneralizedAlpha, 2.5e-4, 200.0).unwrap();
+    for part in ["1.3e0 J", "3.9 %", "\"generalized-alpha\" damps", "smaller step"] {
+        assert!(lost.contains(part), "{lost}");
+    }
+    assert!(warned("pendulum-2d", Method::Nystrom, 2e-5, 200.0).is_some());
+    assert_eq!(warned("pendulum-2d", Method::EnergyMomentum, 1e-3, 200.0), None);
+    assert_eq!(warned("pendulum-2d", Method::GeneralizedAlpha, 1e-3, 0.0), None);
+    assert_eq!(warned("pendulum-flexible", Method::GeneralizedAlpha, 1e-3, 0.0), None);
+    // A rod at rest, where rounding is all that there is.
+    assert_eq!(warned("free-rod-heated", Method::GeneralizedAlpha, 1e-3, 100.0), None);
+}
