@@ -10,7 +10,8 @@ use crate::structure::Structure;
 
 /// How far nodes may move from one look at the elements to the next, of an element's length, and slopes turn. r_x and r_y then change by
 /// no more than an eighth anywhere ([`Structure::moved`]): an element that goes on to collapse is seen within that, and what comes back
-/// within it was hardly gone. A look at each step would be a quarter of an explicit run's time (8 elements), at these it is a hundredth.
+/// within it was hardly gone. A look at each step would make explicit runs of eight elements longer by a quarter (the paper's element) to a
+/// half (the other); these cannot be told from none.
 const UNSEEN: f64 = 0.01;
 
 /// Part of the loads, or of the least of them, from which rounding is warned of.
