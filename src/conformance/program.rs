@@ -14,7 +14,7 @@ pub const STARTS: usize = 25;
 /// Lines that are no JSON before an answer, at most.
 const PATIENCE: usize = 100;
 /// Time for an answer behind such a line of a program that has shown to print them in place of answers.
-const AFTERWARDS: Duration = Duration::from_millis(100);
+const AFTERWARDS: Duration = Duration::from_millis(10);
 
 /// A program that is started when it is asked, and again after it hung or crashed.
 pub struct Program {
