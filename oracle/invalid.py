@@ -45,6 +45,7 @@ CASES = (
     ("initial-stretched", "11.S_a", "e0", lambda e: [2 * v for v in e],
      "the initial element is straight, unstretched and l long: (11) rests on it"),
     ("angle-of-another-element", "11.S_a", "theta", lambda angle: angle + 0.125, "theta is the inclination of e0"),
+    ("points-empty", "1.r", "points", [], "a quantity of a point has one value for each: none says nothing"),
     ("point-beyond-the-end", "1.r", "points", [[5.0, 0.0]], "0 <= x <= l"),
     ("point-above-the-section", "9.J", "points", [[1.0, 0.375]], "|y| <= h/2"),
 )

@@ -18,7 +18,7 @@ VERSIONS = {
     "references.json": ("1.0", "6474f7ff25b8989f"),
     "continuum.json": ("1.0", "95c7ef0fce2e7cb6"),
     "calculix.json": ("1.0", "63645c5583b0f499"),
-    "invalid.json": ("1.0", "3693a3116ae90f01"),
+    "invalid.json": ("1.1", "8f28dc9182c23673"),
 }
 
 DESCRIBES = ("schema", "version", "license", "title", "source", "generator", "conventions", "settings", "sha256")

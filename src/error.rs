@@ -255,15 +255,15 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// A program that is to be tested does not speak the protocol.
-    #[error(
-        "`{command}` did not answer hello: {reason}; it has to answer each line of JSON on its input with one on its output"
-    )]
-    NoHello {
-        /// The command.
-        command: String,
-        /// What came in place of the answer.
-        reason: String,
+    /// A state that is neither a file nor stored.
+    #[error("cannot read {name}: there is no such file, and no stored state of that name{nearest}; stored are {known}")]
+    NoState {
+        /// What was asked for.
+        name: String,
+        /// The name that is most like it, in words.
+        nearest: String,
+        /// The stored names.
+        known: String,
     },
     /// A program that was tested is wrong somewhere.
     #[error("the program does not conform: {summary}")]
@@ -314,6 +314,7 @@ impl Error {
             | Error::Table { .. }
             | Error::Suite { .. }
             | Error::Command { .. }
+            | Error::NoState { .. }
             | Error::Read { .. } => 2,
             _ => 1,
         }

@@ -13,7 +13,7 @@ use ancf::estimate::run_estimated;
 use ancf::report::{self, Files};
 use ancf::run::run_with_progress;
 use ancf::scene::{Scene, Scissors, ThermalModel, builtin_names, builtin_text};
-use ancf::state::ElementState;
+use ancf::state;
 use ancf::study::{self, error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
@@ -89,9 +89,10 @@ enum Command {
         #[command(flatten)]
         scissors: ScissorsOptions,
     },
-    /// Print the value of every equation for one element state.
+    /// Print the value of every equation for one state.
     Equations {
-        /// A file with the state, in the shape of those of fixtures/equations.json; or the name of one of these.
+        /// A file with an element state, in the shape of those of fixtures/equations.json; or the name of one of these, of a case of
+        /// fixtures/structure.json, or cable- and the name of a state of fixtures/cable.json.
         state: String,
     },
     /// Test another implementation: which equation is wrong, and what kind of mistake fits; writes conformance.json and
@@ -228,8 +229,7 @@ fn seconds(text: &str) -> std::result::Result<Duration, String> {
 
 /// `ancf equations`.
 fn print_equations(state: &str) -> Result<()> {
-    let state = ElementState::load(state)?;
-    print(&report::equations_text(&state))
+    print(&report::equations_text(&state::load(state)?))
 }
 
 /// `ancf conform`.

@@ -30,7 +30,7 @@ use serde::{Deserialize, Serialize};
 pub use builtin::{builtin_names, builtin_text};
 pub use choice::{Constraints, Direction, Element, Form, Method, Poisson, Quantity, Schema, Start, ThermalModel};
 pub use motion::Motion;
-pub(crate) use parse::{Refused, read_json};
+pub(crate) use parse::{Refused, nearest, read_json};
 pub use scissors::Scissors;
 
 /// One scene: the whole content of a scene file.

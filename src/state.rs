@@ -15,6 +15,7 @@ pub mod cable;
 mod load;
 
 pub use cable::{CableState, evaluate_cable};
+pub use load::load;
 
 /// An element state: geometry, motion, material, temperature and the points to look at. SI units.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

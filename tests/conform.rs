@@ -9,7 +9,8 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
-use ancf::conformance::examine::{Examination, Options, Refusal, examine};
+use ancf::conformance::examination::{Examination, Refusal};
+use ancf::conformance::examine::{Options, examine};
 use ancf::conformance::program::STARTS;
 use ancf::conformance::suite::Suite;
 use ancf::conformance::verdict::{Fault, Verdict};
@@ -43,8 +44,27 @@ done
 fn lambda(first: &str, second: &str, limit: f64) -> Examination {
     let folder = tempfile::tempdir().unwrap();
     let command = script(folder.path(), &format!("\"{QUANTITY}\""), first, second);
+    examined(&command, limit)
+}
+
+/// A program that does the same with every question: `answer` may use `$line` and `$id`.
+fn always(answer: &str, limit: f64) -> Examination {
+    let folder = tempfile::tempdir().unwrap();
+    let command = script(folder.path(), &format!("\"{QUANTITY}\""), "", ":");
+    let text = fs::read_to_string(&command[1]).unwrap();
+    let start = text.find("if [ $n = 2 ]").unwrap();
+    let end = text[start..].find("fi ;;").unwrap() + start;
+    fs::write(&command[1], format!("{}{answer} {}", &text[..start], &text[end + 3..])).unwrap();
+    examined(&command, limit)
+}
+
+fn examined(command: &[String], limit: f64) -> Examination {
     let options = Options { time_limit: Duration::from_secs_f64(limit), given: true };
-    examine(&Suite::embedded().unwrap(), &command, options, |_| {}).unwrap()
+    examine(&Suite::embedded().unwrap(), command, options, |_| {}).unwrap()
+}
+
+fn text_of(examination: &Examination) -> String {
+    ancf::conformance::report::markdown(&Suite::embedded().unwrap(), examination)
 }
 
 /// The faults of λ, after making sure that all other cases were asked and judged.
@@ -88,20 +108,80 @@ fn a_program_that_crashes_is_started_again_and_quoted() {
 #[test]
 fn garbage_nan_and_wrong_shapes_are_results() {
     for (second, expected) in [
-        ("echo 'computing ...'", Fault::Garbage("computing ...".into())),
+        ("echo '{\"result\": 7}'", Fault::Garbage("{\"result\": 7}".into())),
         (r#"printf '{"id":"%s","value":NaN}\n' "$id""#, Fault::NotFinite("1 of its entries".into())),
         (r#"printf '{"id":"%s","value":[[0],[0]]}\n' "$id""#, Fault::Shape("2 × 1; expected a number".into())),
         (r#"printf '{"id":"%s","error":"no idea"}\n' "$id""#, Fault::Error("no idea".into())),
-        (r#"printf '{"id":"%s","value":' "$id"; exit 0"#, Fault::Garbage(r#"{"id":"12","value":"#.into())),
     ] {
-        let examination = lambda("", second, 10.0);
-        let found = faults(&examination);
-        match (&found[0], &expected) {
-            (Fault::Garbage(line), Fault::Garbage(start)) if second.contains("exit") => {
-                assert_eq!(line.split(':').count(), start.split(':').count(), "{line}");
-            }
-            (found, expected) => assert_eq!(found, expected),
-        }
+        assert_eq!(faults(&lambda("", second, 10.0)), [expected]);
+    }
+    let faults = faults(&lambda("", r#"printf '{"id":"%s","value":' "$id"; exit 0"#, 10.0));
+    let [Fault::Crash(how)] = &faults[..] else { panic!("{faults:?}") };
+    assert!(how.contains("exit status: 0; it printed: {\"id\":"), "{how}");
+}
+
+#[test]
+fn a_message_in_place_of_an_answer_is_shown() {
+    let examination = lambda("", "echo 'computing ...'", 1.0);
+    assert_eq!(faults(&examination), [Fault::Garbage("computing ...".into())]);
+    assert_eq!(examination.starts, 1);
+}
+
+#[test]
+fn messages_beside_answers_are_passed_over_and_told() {
+    let examination = always(&format!("echo \"step $n\"; echo; {ANSWER};"), 5.0);
+    assert_eq!((faults(&examination), examination.chatter.first.as_str()), (vec![], "step 1"));
+    let text = text_of(&examination);
+    assert!(text.contains("on its standard output that are no JSON, the first: `step 1`"), "{text}");
+    // A slow answer behind a message is waited for.
+    assert_eq!(faults(&lambda("", &format!("echo 'computing ...'; sleep 1; {ANSWER}"), 5.0)), []);
+}
+
+#[test]
+fn a_banner_before_hello_is_passed_over() {
+    let examination = lambda("echo 'welcome to mine'; echo '[1, 2]'", ANSWER, 5.0);
+    assert_eq!((faults(&examination), examination.chatter.lines), (vec![], 2));
+}
+
+#[test]
+fn a_program_that_never_speaks_json_has_no_kind_of_mistake() {
+    let started = Instant::now();
+    let examination = always("printf \"{'id': '%s', 'value': 0.0}\\n\" \"$id\";", 1.0);
+    let faults = faults(&examination);
+    assert_eq!(faults.len(), 34);
+    assert!(faults.iter().all(|fault| matches!(fault, Fault::Garbage(line) if line.starts_with("{'id': '"))));
+    // The first time it has all its time, then it is known.
+    assert!(started.elapsed() < Duration::from_secs(10), "{:?}", started.elapsed());
+    assert_eq!(examination.findings[0].1.kinds, []);
+    let text = text_of(&examination);
+    assert!(
+        text.contains("It answers no number in any of 34 failing case(s): no answer but another line in 34."),
+        "{text}"
+    );
+    assert!(!text.contains("What fits") && !text.contains("known kind"), "{text}");
+}
+
+#[test]
+fn crashes_are_no_evidence_of_a_kind_nor_against_one() {
+    // λ = 0, and it ends at the second question.
+    let examination = lambda("", "exit 9", 5.0);
+    let finding = &examination.findings[0].1;
+    assert_eq!(finding.without_numbers.iter().collect::<Vec<_>>(), [(&"ended", &1)]);
+    assert_eq!(finding.kinds[0].1, "λ = 0");
+    let text = text_of(&examination);
+    assert!(text.contains("It answers no number in 1 of 23 failing cases: ended in 1. What fits: ν in the"), "{text}");
+}
+
+#[test]
+fn a_state_that_hangs_where_it_has_to_be_refused_is_told_apart() {
+    let examination = always(&format!("case $line in *'\"nu\":0.5,'*) exec sleep 30 ;; esac; {ANSWER};"), 0.5);
+    let text = text_of(&examination);
+    for part in [
+        "\nNeither refused nor answered: `poisson-half`, asked for 17.lambda: no answer within 0.5 s; `nu` is wrong",
+        "\nNot refused: `poisson-beyond-half`, asked for 17.lambda: a value was answered; `nu` is wrong",
+        "states that have to be refused 1 got a value. In 1 of",
+    ] {
+        assert!(text.contains(part), "no {part:?} in:\n{text}");
     }
 }
 
@@ -195,26 +275,47 @@ fn the_command_writes_a_report_and_ends_with_1() {
 #[test]
 fn a_command_that_cannot_be_used_leaves_nothing() {
     let folder = tempfile::tempdir().unwrap();
-    let exits = folder.path().join("exits.sh");
-    fs::write(&exits, "echo 'no licence' >&2; exit 4").unwrap();
-    let exits = exits.display().to_string();
     for (arguments, code, part) in [
         (&["conform"][..], 2, "COMMAND"),
         (&["conform", "--", "./no-such-program"], 2, "cannot start the command `./no-such-program`"),
         (&["conform", "--fixtures", "nowhere", "--", "true"], 2, "cannot read nowhere/equations.json"),
         (&["conform", "--time-limit", "0", "--", "true"], 2, "allowed: a number over 0 and up to 3600"),
-        (
-            &["conform", "--", "sh", &exits],
-            1,
-            "did not answer hello: the program ended: exit status: 4; its last words: no licence",
-        ),
-        (&["conform", "--", "echo", "hello"], 1, "did not answer hello: no answer but hello"),
     ] {
         let output = ancf(folder.path(), arguments);
         let message = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(code), "{arguments:?}: {message}");
         assert!(message.contains(part), "no {part:?} in: {message}");
         assert!(!folder.path().join("out/conformance.json").exists());
+    }
+}
+
+#[test]
+fn a_program_without_hello_gets_a_report_in_which_everything_fails() {
+    let folder = tempfile::tempdir().unwrap();
+    let exits = folder.path().join("exits.sh");
+    fs::write(&exits, "echo 'no licence' >&2; exit 4").unwrap();
+    let exits = exits.display().to_string();
+    for (arguments, part) in [
+        (
+            &["conform", "--", "sh", &exits][..],
+            "did not answer hello: the program ended: exit status: 4; its last words: no licence",
+        ),
+        (
+            &["conform", "--", "echo", "good morning"],
+            "did not answer hello: the program ended: exit status: 0; it printed: good morning",
+        ),
+    ] {
+        let output = ancf(folder.path(), arguments);
+        let (text, message) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {message}");
+        assert!(message.contains(part) && text.contains(part), "no {part:?} in: {message}\n{text}");
+        assert!(!text.contains("First wrong equation") && !text.contains("refused"), "{text}");
+        let report = folder.path().join("out/conformance.json");
+        let found: Value = serde_json::from_str(&fs::read_to_string(&report).unwrap()).unwrap();
+        assert_eq!((found["passes"].clone(), found["first_wrong"].clone()), (Value::Bool(false), Value::Null));
+        assert!(found["quantities"].as_array().unwrap().iter().all(|row| row["fail"].as_u64() > Some(0)));
+        assert!(found["program"]["no_hello"].as_str().unwrap().contains("exit status"), "{}", found["program"]);
+        fs::remove_file(report).unwrap();
     }
 }
 

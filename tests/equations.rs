@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use ancf::conformance::suite::Suite;
+use ancf::conformance::suite::{Parsed, Suite};
 use ancf::equations::CONTENTS;
 use ancf::error::Error;
 use ancf::state::ElementState;
@@ -68,6 +68,7 @@ fn messages_name_file_place_key_value_and_what_is_allowed() {
         (with("e", json!([1, 2])), "`e` is [ 1, 2 ]; allowed: an array of length 14"),
         (with("model", json!("3d")), "`model` is \"3d\"; allowed: `2d`, `1d`, `none`; nearest: `1d`"),
         (with("theta", json!(0.25)), "`theta` is 0.25; allowed: the inclination of e0, rad"),
+        (with("points", json!([])), "`points` is []; allowed: one point [x, y] at least"),
         ("{\"l\": 1".into(), "state.json:1:"),
         ("[]".into(), "`state`"),
     ] {
@@ -78,7 +79,34 @@ fn messages_name_file_place_key_value_and_what_is_allowed() {
         assert!(message.contains(part) && message.contains("state.json"), "no {part:?} in: {message}");
         assert!(output.stdout.is_empty());
     }
-    let output = ancf(folder.path(), "nowhere.json");
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8(output.stderr).unwrap().contains("cannot read nowhere.json"));
+    for (name, part) in [
+        ("nowhere.json", "cannot read nowhere.json: there is no such file, and no stored state of that name"),
+        ("bending-inclined-1", "nearest: `bending-inclined-1d`; stored are "),
+        (".", "cannot read ."),
+    ] {
+        let output = ancf(folder.path(), name);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(message.contains(part), "no {part:?} in: {message}");
+    }
+}
+
+#[test]
+fn stored_states_of_cables_and_structures_are_printed_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let suite = Suite::embedded().unwrap();
+    for case in suite.cases.iter().filter(|case| !matches!(case.parsed, Parsed::Element(_))).step_by(5) {
+        let output = ancf(folder.path(), &case.id);
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let of_a_cable = matches!(case.parsed, Parsed::Cable(_));
+        for entry in CONTENTS.iter().filter(|entry| entry.is_of_a_cable() || entry.is_of_a_structure()) {
+            let head = format!("{}  {}", entry.quantity, entry.function);
+            assert_eq!(text.contains(&head), entry.is_of_a_cable() == of_a_cable, "{}: {head}", case.id);
+        }
+        let (name, first) = if of_a_cable { ("cable.U", 0) } else { ("23.residual", 0) };
+        let value = case.values[name].numbers[first];
+        let digits = if value == 0.0 { "0".into() } else { format!("{value:.9e}") };
+        assert!(text.contains(&digits), "{}: no {digits} in\n{text}", case.id);
+    }
 }

@@ -1,10 +1,7 @@
 """The derivation that runs: `python -m oracle derivation` makes oracle/DERIVATION.md.
 
-Every displayed formula is a tree that is written and computed by the same code (`notation`), and asserted
-        against what its
-left side is found to be another way (`symbols` and the chapters). Then each is changed, in every place, and
-        the change must
-be noticed.
+Every displayed formula is a tree that is written and computed by the same code (`notation`), and asserted against what its left side
+is found to be another way (`symbols` and the chapters). Then each is changed, in every place, and the change must be noticed.
 """
 
 from pathlib import Path

@@ -182,6 +182,12 @@ def write(page):
         number="23", blind=(r"2 \boldsymbol\Phi_q", r"2 \ddot{\mathbf q}"),
         how="""The acceleration is found without multipliers, by Lagrange's equations in the 24 coordinates that the
         pins leave free; the multipliers from the momentum of the second element and of both.""")
+    page.words("""The paper's second line is {paper}: conditions that may be curved in {q} and may change with time {t}. Here
+        they are linear in {q} and do not contain {t}: pins and supports hold points, and a point is linear in {q} by (1).
+        So {rows} is constant, and the conditions' second derivative by time is the last line without further terms.
+        For others it would have {curved} and the second derivative by {t} on its right side.""",
+               paper=Symbol(r"\boldsymbol\Phi(\mathbf q, t) = \mathbf 0", 0), q=Symbol(r"\mathbf q", 0), t=Symbol("t", 0),
+               rows=rows, curved=Symbol(r"-(\boldsymbol\Phi_q \dot{\mathbf q})_q \dot{\mathbf q}", 0))
     page.words("""{kq} is the elements' forces (19), one below the other. The last line is the conditions
         differentiated twice by time; together with the second it gives accelerations and multipliers by one system
         of linear equations. A multiplier is the force with which the first named body is held back by the pin.""", kq=forces)

@@ -4,10 +4,11 @@ use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 
 use super::blame::{Blame, Standing, WithGiven, blame};
+use super::examination::{Examination, Refusal};
 use super::graph::{GRAPH, Node};
-use super::mistakes::{Finding, Observation, diagnose};
+use super::mistakes::{Observation, Seen, diagnose};
 use super::program::Program;
-use super::protocol::{self, Answer, Hello, hello_line, question_line};
+use super::protocol::{self, Answer, hello_line, question_line};
 use super::suite::{Case, Reference, Suite};
 use super::verdict::{Fault, Verdict, Wrong};
 use crate::error::Result;
@@ -24,57 +25,6 @@ pub struct Options {
     pub given: bool,
 }
 
-/// All that was found out about a program.
-#[derive(Debug)]
-pub struct Examination {
-    /// What it says of itself.
-    pub hello: Hello,
-    /// Verdicts by quantity and case, in the order of asking.
-    pub verdicts: Vec<(&'static str, Vec<(usize, Verdict)>)>,
-    /// What became of the states that have to be refused, by their place in the suite.
-    pub refusals: Vec<(usize, Refusal)>,
-    /// Which equation is wrong.
-    pub blame: Blame,
-    /// What kind of mistake fits, for each of the culprits.
-    pub findings: Vec<(&'static str, Finding)>,
-    /// How often the program was started.
-    pub starts: usize,
-    /// Questions.
-    pub questions: usize,
-    /// How long all of it took, s.
-    pub seconds: f64,
-}
-
-/// What became of a state that has to be refused.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Refusal {
-    /// An error, as it has to be.
-    Refused(String),
-    /// A value, as if nothing was wrong.
-    Accepted,
-    /// The quantity is not implemented.
-    NotImplemented,
-    /// Something else.
-    Fault(Fault),
-}
-
-impl Examination {
-    /// Whether nothing failed.
-    pub fn passes(&self) -> bool {
-        let failing = |(_, cases): &(&str, Vec<(usize, Verdict)>)| cases.iter().any(|(_, verdict)| verdict.fails());
-        let kept = |(_, refusal): &(usize, Refusal)| !matches!(refusal, Refusal::Refused(_) | Refusal::NotImplemented);
-        !self.verdicts.iter().any(failing) && !self.refusals.iter().any(kept) && self.implemented() > 0
-    }
-
-    /// How many quantities the program has.
-    pub fn implemented(&self) -> usize {
-        let has = |(_, cases): &&(&str, Vec<(usize, Verdict)>)| {
-            cases.iter().any(|(_, verdict)| *verdict != Verdict::NotImplemented)
-        };
-        self.verdicts.iter().filter(has).count()
-    }
-}
-
 /// Asks everything; `progress` is told the share that is done.
 ///
 /// # Errors
@@ -82,18 +32,17 @@ impl Examination {
 pub fn examine(suite: &Suite, command: &[String], options: Options, progress: impl Fn(f64)) -> Result<Examination> {
     let started = Instant::now();
     let program = Program::start(command, options.time_limit, hello_line(suite))?;
-    let mut examiner = Examiner { suite, program, questions: 0 };
-    let has = |node: &Node, hello: &Hello| {
-        hello.quantities.as_ref().is_none_or(|list| list.iter().any(|id| id == node.quantity))
+    let (listed, hands_over) = match &program.hello {
+        Ok(hello) => (hello.quantities.clone(), options.given && hello.given),
+        Err(_) => (None, false),
     };
+    let mut examiner = Examiner { suite, program, listed, questions: 0 };
     let mut verdicts = Vec::new();
     for (n, node) in GRAPH.iter().enumerate() {
-        let asked = has(node, &examiner.program.hello);
-        verdicts.push((node.quantity, examiner.verdicts(node.quantity, asked)));
+        verdicts.push((node.quantity, examiner.verdicts(node.quantity)));
         progress((n + 1) as f64 / (GRAPH.len() + 1) as f64);
     }
     let refusals = examiner.refusals();
-    let hands_over = options.given && examiner.program.hello.given;
     let again: BTreeMap<&str, Vec<(usize, Verdict)>> = verdicts
         .iter()
         .zip(GRAPH)
@@ -103,7 +52,8 @@ pub fn examine(suite: &Suite, command: &[String], options: Options, progress: im
         .collect();
     let standings =
         verdicts.iter().map(|(quantity, cases)| (*quantity, standing(cases, again.get(quantity)))).collect();
-    let blame = blame(&standings);
+    // Who was not asked has no wrong equation.
+    let blame = if examiner.program.hello.is_ok() { blame(&standings) } else { Blame::default() };
     let culprits = blame.culprits.iter().filter_map(|culprit| {
         let (quantity, cases) = verdicts.iter().find(|(quantity, _)| *quantity == culprit.quantity)?;
         // What was answered to the reference's inputs shows the quantity's own mistake alone.
@@ -113,7 +63,9 @@ pub fn examine(suite: &Suite, command: &[String], options: Options, progress: im
     let findings = culprits.collect();
     progress(1.0);
     Ok(Examination {
+        command: command.join(" "),
         hello: examiner.program.hello.clone(),
+        chatter: examiner.program.chatter.clone(),
         findings,
         blame,
         refusals,
@@ -132,13 +84,14 @@ fn observations<'a>(
 ) -> Vec<Observation<'a>> {
     let second = |n: usize| again?.iter().find(|(case, _)| *case == n).map(|(_, verdict)| verdict);
     let seen = |(n, verdict): &'a (usize, Verdict)| {
-        let case = suite.cases.get(*n)?;
-        match second(*n).unwrap_or(verdict) {
-            Verdict::Pass { .. } => Some(Observation { case, answer: Some(None) }),
-            Verdict::Wrong(Wrong { answer, .. }) => Some(Observation { case, answer: Some(Some(answer)) }),
-            Verdict::Fault(Fault::Error(_) | Fault::Shape(_)) => Some(Observation { case, answer: None }),
-            Verdict::NotImplemented | Verdict::Fault(_) => None,
-        }
+        let seen = match second(*n).unwrap_or(verdict) {
+            Verdict::Pass { .. } => Seen::Right,
+            Verdict::Wrong(Wrong { answer, .. }) => Seen::Numbers(answer),
+            Verdict::Fault(fault @ (Fault::Error(_) | Fault::Shape(_))) => Seen::Refused(fault),
+            Verdict::Fault(fault) => Seen::Fault(fault),
+            Verdict::NotImplemented => return None,
+        };
+        Some(Observation { case: suite.cases.get(*n)?, seen })
     };
     cases.iter().filter_map(seen).collect()
 }
@@ -163,13 +116,20 @@ fn standing(cases: &[(usize, Verdict)], again: Option<&Vec<(usize, Verdict)>>) -
 struct Examiner<'a> {
     suite: &'a Suite,
     program: Program,
+    /// What the program said at first that it has.
+    listed: Option<Vec<String>>,
     questions: usize,
 }
 
 impl Examiner<'_> {
+    /// Whether the program says that it has a quantity, or does not say what it has.
+    fn has(&self, quantity: &str) -> bool {
+        self.listed.as_ref().is_none_or(|list| list.iter().any(|id| id == quantity))
+    }
+
     /// One quantity in every case that has a value of it.
-    fn verdicts(&mut self, quantity: &str, asked: bool) -> Vec<(usize, Verdict)> {
-        let suite = self.suite;
+    fn verdicts(&mut self, quantity: &str) -> Vec<(usize, Verdict)> {
+        let (suite, asked) = (self.suite, self.has(quantity));
         let (mut verdicts, mut ended) = (Vec::new(), 0);
         for (n, case) in suite.cases.iter().enumerate() {
             let Some(reference) = case.values.get(quantity) else { continue };
@@ -205,9 +165,7 @@ impl Examiner<'_> {
     }
 
     fn verdict(&mut self, quantity: &str, case: &Case, reference: &Reference, given: &[&str]) -> Verdict {
-        let id = self.next_id();
-        let line = question_line(&id, quantity, case, given.iter().copied());
-        match self.program.ask(&id, line) {
+        match self.ask(|id| question_line(id, quantity, case, given.iter().copied())) {
             Ok(Answer::Value(value)) => match protocol::numbers(&value, &reference.shape) {
                 Ok(numbers) => Verdict::of(numbers, reference),
                 Err(fault) => Verdict::Fault(fault),
@@ -223,28 +181,30 @@ impl Examiner<'_> {
         let suite = self.suite;
         let mut refusals = Vec::new();
         for (n, invalid) in suite.invalid.iter().enumerate() {
-            let listed = self.program.hello.quantities.as_ref();
-            if listed.is_some_and(|list| !list.contains(&invalid.equation)) {
-                refusals.push((n, Refusal::NotImplemented));
-                continue;
-            }
-            let id = self.next_id();
-            let line = serde_json::json!({"id": id, "equation": invalid.equation, "state": invalid.state});
-            refusals.push((
-                n,
-                match self.program.ask(&id, line.to_string()) {
+            let question = |id: &str| {
+                serde_json::json!({"id": id, "equation": invalid.equation, "state": invalid.state}).to_string()
+            };
+            let refusal = if !self.has(&invalid.equation) {
+                Refusal::NotImplemented
+            } else {
+                match self.ask(question) {
                     Ok(Answer::Error(message)) => Refusal::Refused(message),
                     Ok(Answer::Value(_)) => Refusal::Accepted,
                     Ok(Answer::NotImplemented) => Refusal::NotImplemented,
                     Err(fault) => Refusal::Fault(fault),
-                },
-            ));
+                }
+            };
+            refusals.push((n, refusal));
         }
         refusals
     }
 
-    fn next_id(&mut self) -> String {
+    fn ask(&mut self, question: impl Fn(&str) -> String) -> std::result::Result<Answer, Fault> {
+        if let Err(fault) = &self.program.hello {
+            return Err(Fault::NotAsked(format!("it did not answer hello: {fault}")));
+        }
         self.questions += 1;
-        self.questions.to_string()
+        let id = self.questions.to_string();
+        self.program.ask(&id, question(&id))
     }
 }

@@ -5,7 +5,7 @@
 //! equations that it is computed from ([`graph`]) to the first one that is wrong by itself ([`blame`]); and its answers are compared with
 //! what known mistakes would give ([`mistakes`]). [`report`] says all of it as text, Markdown and JSON.
 //!
-//! The feature `cli` adds what needs processes: `program` and `examine`.
+//! The feature `cli` adds what needs processes: `process`, `program`, `examine`, `examination` and `report`.
 
 pub mod blame;
 pub mod graph;
@@ -15,7 +15,11 @@ pub mod suite;
 pub mod verdict;
 
 #[cfg(feature = "cli")]
+pub mod examination;
+#[cfg(feature = "cli")]
 pub mod examine;
+#[cfg(feature = "cli")]
+pub mod process;
 #[cfg(feature = "cli")]
 pub mod program;
 #[cfg(feature = "cli")]

@@ -1,68 +1,74 @@
-//! The program under test: started, asked, and ended when it hangs.
-//!
-//! A thread writes and one reads, so that neither a program that does not read nor one that does not answer can stop this
-//! one; its standard error is drained, and its last lines are kept for the report.
+//! The program under test: started, asked, and started again after it hung or crashed.
 
-use std::collections::VecDeque;
-use std::io::{BufRead, BufReader, Read, Write};
-use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
-use std::sync::{Arc, Mutex, PoisonError};
-use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
+use super::process::Process;
 use super::protocol::{self, Answer, Hello, Line};
 use super::verdict::Fault;
 use crate::error::{Error, Result};
 
-/// Longest line that is read, bytes.
-const LONGEST_LINE: u64 = 64 << 20;
-/// Lines that are read ahead.
-const AHEAD: usize = 16;
-/// Lines of standard error that are kept.
-const KEPT: usize = 5;
-/// Often enough looked whether the program still reads, s.
-const GLANCE: Duration = Duration::from_millis(50);
-/// Time to end by itself after its output has ended.
-const FAREWELL: Duration = Duration::from_millis(300);
 /// A program may take this long to start, if the time limit is not longer.
 const START: Duration = Duration::from_secs(30);
 /// So often a program is started at most.
 pub const STARTS: usize = 25;
+/// Lines that are no JSON before an answer, at most.
+const PATIENCE: usize = 100;
+/// Time for an answer behind such a line of a program that has shown to print them in place of answers.
+const AFTERWARDS: Duration = Duration::from_millis(10);
 
 /// A program that is started when it is asked, and again after it hung or crashed.
 pub struct Program {
     command: Vec<String>,
     limit: Duration,
     hello_line: String,
-    running: Option<Running>,
+    running: Option<Process>,
+    habit: Option<Habit>,
     /// How often it was started.
     pub starts: usize,
-    /// What it said of itself at last.
-    pub hello: Hello,
+    /// What it said of itself at last; what came in place of that the first time, after which it need not be asked.
+    pub hello: std::result::Result<Hello, Fault>,
+    /// What it printed beside its answers.
+    pub chatter: Chatter,
 }
 
-/// One process.
-struct Running {
-    child: Child,
-    questions: Sender<String>,
-    writer: JoinHandle<()>,
-    lines: Receiver<std::result::Result<String, Fault>>,
-    last_words: Arc<Mutex<VecDeque<String>>>,
+/// Lines on standard output that are no JSON.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Chatter {
+    /// How many there were.
+    pub lines: usize,
+    /// The first of them.
+    pub first: String,
+    /// The last of them.
+    pub last: String,
+}
+
+/// Where a program prints lines that are no JSON. The first time it has all its time to answer behind such a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Habit {
+    /// Before its answers: they are passed over.
+    BesideAnswers,
+    /// In place of them: nothing is worth waiting for.
+    InPlaceOfAnswers,
 }
 
 impl Program {
     /// Starts the program and exchanges `hello`.
     ///
     /// # Errors
-    /// [`Error::Command`] if there is no such program, [`Error::NoHello`] if it does not answer `hello`.
+    /// [`Error::Command`] if there is no such program. That it does not answer is a result.
     pub fn start(command: &[String], limit: Duration, hello_line: String) -> Result<Program> {
-        let mut program =
-            Program { command: command.to_vec(), limit, hello_line, running: None, starts: 0, hello: Hello::default() };
-        let running = program.spawn()?;
-        program
-            .greet(running)
-            .map_err(|fault| Error::NoHello { command: command.join(" "), reason: fault.to_string() })?;
+        let mut program = Program {
+            command: command.to_vec(),
+            limit,
+            hello_line,
+            running: None,
+            habit: None,
+            starts: 0,
+            hello: Ok(Hello::default()),
+            chatter: Chatter::default(),
+        };
+        let process = program.spawn()?;
+        program.hello = program.greet(process);
         Ok(program)
     }
 
@@ -75,51 +81,39 @@ impl Program {
             if self.starts >= STARTS {
                 return Err(Fault::NotAsked(format!("the program was started {STARTS} times")));
             }
-            let running = self.spawn().map_err(|error| Fault::Crash(error.to_string()))?;
-            self.greet(running).map_err(|fault| Fault::Crash(format!("started again: {fault}")))?;
+            let process = self.spawn().map_err(|error| Fault::Crash(error.to_string()))?;
+            let hello = self.greet(process).map_err(|fault| Fault::Crash(format!("started again: {fault}")))?;
+            self.hello = Ok(hello);
         }
         let limit = self.limit;
         self.exchange(line, limit, |line| match line {
             Line::Answer(of, answer) if of == id => Some(Ok(answer)),
-            // A late answer to an earlier question.
-            Line::Answer(..) => None,
             Line::Hello(_) => Some(Err(Fault::Garbage("hello a second time".into()))),
+            // A late answer to an earlier question.
+            Line::Answer(..) | Line::Chatter(_) => None,
         })
     }
 
-    fn spawn(&mut self) -> Result<Running> {
-        let (name, arguments) = self
-            .command
-            .split_first()
-            .ok_or(Error::NoHello { command: String::new(), reason: "there is no command".into() })?;
-        let mut command = Command::new(name);
-        command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        let failed = |source| Error::Command { command: name.clone(), source };
-        let mut child = command.spawn().map_err(failed)?;
+    fn spawn(&mut self) -> Result<Process> {
+        let none = String::new();
+        let (name, arguments) = self.command.split_first().unwrap_or((&none, &[]));
+        let process = Process::start(name, arguments);
         self.starts += 1;
-        let missing = || failed(std::io::Error::other("its input and output cannot be reached"));
-        let (stdin, stdout, stderr) = match (child.stdin.take(), child.stdout.take(), child.stderr.take()) {
-            (Some(stdin), Some(stdout), Some(stderr)) => (stdin, stdout, stderr),
-            _ => return Err(missing()),
-        };
-        let (questions, to_write) = channel();
-        let (to_tell, lines) = sync_channel(AHEAD);
-        let last_words = Arc::new(Mutex::new(VecDeque::new()));
-        let writer = thread::spawn(move || write_lines(stdin, &to_write));
-        thread::spawn(move || read_lines(stdout, &to_tell));
-        let kept = Arc::clone(&last_words);
-        thread::spawn(move || keep_last_lines(stderr, &kept));
-        Ok(Running { child, questions, writer, lines, last_words })
+        process.map_err(|source| Error::Command { command: name.clone(), source })
     }
 
-    fn greet(&mut self, running: Running) -> std::result::Result<(), Fault> {
-        self.running = Some(running);
+    fn greet(&mut self, process: Process) -> std::result::Result<Hello, Fault> {
+        self.running = Some(process);
+        // A banner says nothing about answers.
+        let habit = self.habit.take();
         let (line, limit) = (self.hello_line.clone(), self.limit.max(START));
-        self.hello = self.exchange(line, limit, |line| match line {
+        let hello = self.exchange(line, limit, |line| match line {
             Line::Hello(hello) => Some(Ok(hello)),
             Line::Answer(..) => Some(Err(Fault::Garbage("an answer before hello".into()))),
-        })?;
-        Ok(())
+            Line::Chatter(_) => None,
+        });
+        self.habit = habit;
+        hello
     }
 
     /// Sends a line and waits for one that `wanted` takes. The process is ended if it hung or ended.
@@ -129,115 +123,72 @@ impl Program {
         limit: Duration,
         wanted: impl Fn(Line) -> Option<std::result::Result<T, Fault>>,
     ) -> std::result::Result<T, Fault> {
-        let Some(mut running) = self.running.take() else { return Err(Fault::Crash("it is not running".into())) };
-        let outcome = running.exchange(line, limit, wanted);
+        let Some(mut process) = self.running.take() else { return Err(Fault::Crash("it is not running".into())) };
+        let before = self.chatter.lines;
+        let outcome = process.send(line).and_then(|()| self.listen(&process, limit, wanted));
         match &outcome {
-            Err(Fault::TimeLimit(_)) => running.end(),
-            Err(Fault::Crash(how)) => return Err(Fault::Crash(running.obituary(how))),
-            _ => self.running = Some(running),
+            Err(Fault::TimeLimit(_)) => process.end(),
+            Err(Fault::Crash(how)) => {
+                let mut story = process.obituary(how);
+                if self.chatter.lines > before {
+                    story += &format!("; it printed: {}", self.chatter.last);
+                }
+                return Err(Fault::Crash(story));
+            }
+            _ => self.running = Some(process),
         }
         outcome
     }
-}
 
-impl Drop for Program {
-    fn drop(&mut self) {
-        if let Some(mut running) = self.running.take() {
-            running.end();
-        }
-    }
-}
-
-impl Running {
-    fn exchange<T>(
+    /// Waits for a line that `wanted` takes; what is no JSON is passed over, unless it is all that comes.
+    fn listen<T>(
         &mut self,
-        line: String,
+        process: &Process,
         limit: Duration,
         wanted: impl Fn(Line) -> Option<std::result::Result<T, Fault>>,
     ) -> std::result::Result<T, Fault> {
         let started = Instant::now();
-        if self.questions.send(line).is_err() {
-            return Err(Fault::Crash("it does not read its input any more".into()));
-        }
+        let (mut by, mut first, mut count) = (limit, None, 0);
         loop {
-            // A writer that is done before its channel closes has met a closed input: an answer may still be on its way.
-            let closed = self.writer.is_finished();
-            let left = limit.saturating_sub(started.elapsed()).min(if closed { FAREWELL } else { GLANCE });
-            match self.lines.recv_timeout(left) {
-                Ok(line) => {
-                    if let Some(answer) = wanted(protocol::read(&line?)?) {
+            let Some(line) = process.next(by.saturating_sub(started.elapsed()))? else {
+                let Some(words) = first.filter(|_| self.habit != Some(Habit::BesideAnswers)) else {
+                    return Err(Fault::TimeLimit(format!("{} s", limit.as_secs_f64())));
+                };
+                self.habit = Some(Habit::InPlaceOfAnswers);
+                return Err(Fault::Garbage(words));
+            };
+            match protocol::read(&line)? {
+                Line::Chatter(words) if words.is_empty() => {}
+                Line::Chatter(words) => {
+                    count += 1;
+                    self.chatter.add(&words);
+                    if count == PATIENCE {
+                        return Err(Fault::Garbage(words));
+                    }
+                    if self.habit == Some(Habit::InPlaceOfAnswers) {
+                        by = limit.min(started.elapsed() + AFTERWARDS);
+                    }
+                    first.get_or_insert(words);
+                }
+                line => {
+                    if let Some(answer) = wanted(line) {
+                        if first.is_some() {
+                            self.habit = Some(Habit::BesideAnswers);
+                        }
                         return answer;
                     }
                 }
-                Err(RecvTimeoutError::Disconnected) => return Err(Fault::Crash("its output has ended".into())),
-                Err(RecvTimeoutError::Timeout) if closed => {
-                    return Err(Fault::Crash("it does not read its input any more".into()));
-                }
-                Err(RecvTimeoutError::Timeout) if started.elapsed() >= limit => {
-                    return Err(Fault::TimeLimit(format!("{} s", limit.as_secs_f64())));
-                }
-                Err(RecvTimeoutError::Timeout) => {}
             }
         }
     }
-
-    /// How the process ended, with its exit code and its last words on standard error.
-    fn obituary(&mut self, how: &str) -> String {
-        let by = Instant::now() + FAREWELL;
-        let mut status = None;
-        while status.is_none() && Instant::now() < by {
-            status = self.child.try_wait().ok().flatten();
-            thread::sleep(Duration::from_millis(5));
-        }
-        self.end();
-        let mut story = status.map_or_else(|| how.to_string(), |status| status.to_string());
-        let words = self.last_words.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(last) = words.iter().rev().find(|line| !line.trim().is_empty()) {
-            story += &format!("; its last words: {}", protocol::quoted(last));
-        }
-        story
-    }
-
-    /// Ends the process; that it has ended already is no error.
-    fn end(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
 }
 
-fn write_lines(mut stdin: ChildStdin, lines: &Receiver<String>) {
-    for line in lines {
-        if stdin.write_all(line.as_bytes()).and_then(|()| stdin.write_all(b"\n")).and_then(|()| stdin.flush()).is_err()
-        {
-            return;
+impl Chatter {
+    fn add(&mut self, words: &str) {
+        if self.lines == 0 {
+            self.first = words.into();
         }
-    }
-}
-
-fn read_lines(stdout: ChildStdout, lines: &SyncSender<std::result::Result<String, Fault>>) {
-    let mut stdout = BufReader::new(stdout);
-    loop {
-        let mut line = Vec::new();
-        let line = match (&mut stdout).take(LONGEST_LINE).read_until(b'\n', &mut line) {
-            Ok(0) | Err(_) => return,
-            Ok(count) if count as u64 == LONGEST_LINE => Err(Fault::Garbage("a line without an end".into())),
-            Ok(_) => Ok(String::from_utf8_lossy(&line).into_owned()),
-        };
-        if lines.send(line).is_err() {
-            return;
-        }
-    }
-}
-
-fn keep_last_lines(stderr: ChildStderr, kept: &Mutex<VecDeque<String>>) {
-    let mut stderr = BufReader::new(stderr);
-    let mut line = Vec::new();
-    while (&mut stderr).take(LONGEST_LINE).read_until(b'\n', &mut line).is_ok_and(|count| count > 0) {
-        let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
-        kept.push_back(String::from_utf8_lossy(&line).into_owned());
-        if kept.len() > KEPT {
-            kept.pop_front();
-        }
-        line.clear();
+        self.last = words.into();
+        self.lines += 1;
     }
 }

@@ -58,6 +58,8 @@ pub enum Line {
     Hello(Hello),
     /// Its answer to the question of that id.
     Answer(String, Answer),
+    /// No JSON object at all, such as a message for people; how it starts.
+    Chatter(String),
 }
 
 /// The three answers.
@@ -71,12 +73,15 @@ pub enum Answer {
     Error(String),
 }
 
-/// Reads a line; a fault says what it is if it is neither.
+/// Reads a line.
+///
+/// # Errors
+/// [`Fault::Garbage`] for a JSON object that is neither `hello` nor an answer.
 pub fn read(line: &str) -> Result<Line, Fault> {
     let garbage = || Fault::Garbage(quoted(line));
     let table = match serde_json::from_str::<Value>(line).or_else(|_| serde_json::from_str(&without_nan(line))) {
         Ok(Value::Object(table)) => table,
-        _ => return Err(garbage()),
+        _ => return Ok(Line::Chatter(quoted(line))),
     };
     if let Some(hello) = table.get("hello") {
         let name = hello["name"].as_str().unwrap_or("a program without a name").to_string();
@@ -193,12 +198,15 @@ mod tests {
     }
 
     #[test]
-    fn anything_else_is_garbage() {
-        for line in ["", "ready", "[1]", "{}", r#"{"id":7,"value":1}"#, r#"{"id":"7"}"#, r#"{"id":"7","value":"#] {
+    fn anything_else_is_garbage_or_chatter() {
+        for line in ["{}", r#"{"id":7,"value":1}"#, r#"{"id":"7"}"#] {
             assert!(matches!(read(line), Err(Fault::Garbage(_))), "{line}");
         }
+        for line in ["", "ready", "[1]", r#"{"id":"7","value":"#, "{'id': '7', 'value': 1}"] {
+            assert_eq!(read(line), Ok(Line::Chatter(line.into())));
+        }
         let long = "x".repeat(1000);
-        assert_eq!(read(&long), Err(Fault::Garbage(format!("{}…", "x".repeat(LONGEST_QUOTE)))));
+        assert_eq!(read(&long), Ok(Line::Chatter(format!("{}…", "x".repeat(LONGEST_QUOTE)))));
     }
 
     #[test]

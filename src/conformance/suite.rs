@@ -11,7 +11,7 @@ use serde_json::{Map, Value};
 
 use super::graph::TERMS_OF_23;
 use crate::error::{Error, Result};
-use crate::state::{ElementState, SystemState};
+use crate::state::{CableState, ElementState, SystemState};
 
 /// The files, in the order of asking; they are part of the program, and a folder of the same names can stand in for them.
 const FILES: [(&str, &str); 4] = [
@@ -73,8 +73,8 @@ pub enum Parsed {
     Element(Box<ElementState>),
     /// The terms of (23).
     System(Box<SystemState>),
-    /// A cable element's, which no mistake is looked for in.
-    Other,
+    /// A cable element's.
+    Cable(Box<CableState>),
 }
 
 /// A reference value.
@@ -183,7 +183,10 @@ fn read_case(file: &str, case: &Value) -> std::result::Result<Case, String> {
             ("", Parsed::Element(Box::new(state)))
         }
         "structure.json" => ("", system(&case["state"], &values).ok_or_else(|| within("terms of (23)".into()))?),
-        _ => ("cable-", Parsed::Other),
+        _ => {
+            let state = CableState::deserialize(&case["state"]).map_err(|error| within(format!("state: {error}")))?;
+            ("cable-", Parsed::Cable(Box::new(state)))
+        }
     };
     Ok(Case { id: format!("{prefix}{id}"), tags, state: case["state"].clone(), parsed, values })
 }

@@ -58,6 +58,21 @@ pub enum Fault {
     NotAsked(String),
 }
 
+impl Fault {
+    /// What it is, in a word or two.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Fault::Error(_) => "an error",
+            Fault::Shape(_) => "another shape",
+            Fault::NotFinite(_) => "NaN or infinite",
+            Fault::Garbage(_) => "no answer but another line",
+            Fault::TimeLimit(_) => "no answer in time",
+            Fault::Crash(_) => "ended",
+            Fault::NotAsked(_) => "not asked any more",
+        }
+    }
+}
+
 impl std::fmt::Display for Fault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {

@@ -1,18 +1,32 @@
-//! Every equation's value for one element state, for people who debug by eye.
+//! Every equation's value for one state, for people who debug by eye.
 
-use crate::equations::{CONTENTS, Form};
-use crate::state::{ElementState, evaluate};
+use crate::conformance::suite::Parsed;
+use crate::equations::{CONTENTS, Entry, Form};
+use crate::state::{evaluate, evaluate_cable, evaluate_system};
 
 /// Digits that are shown.
 const DIGITS: usize = 9;
 
-/// The state's points, then every quantity in the paper's order: its function, its form, and its numbers row by row.
-pub fn equations_text(state: &ElementState) -> String {
-    let mut text = String::from(
-        "Values in SI units; rows and columns of e in the order of (4): r_i r_y_i r_j r_x_j r_y_j r_k r_y_k, x before y.\n\
-         Strains, stresses and S_a, S_b, S_c in global axes. What varies over the element stands point by point.\n",
-    );
-    for entry in CONTENTS.iter().filter(|entry| !entry.is_of_a_structure() && !entry.is_of_a_cable()) {
+const OF_AN_ELEMENT: &str = "Values in SI units; rows and columns of e in the order of (4): r_i r_y_i r_j r_x_j r_y_j r_k r_y_k, x before y.\n\
+     Strains, stresses and S_a, S_b, S_c in global axes. What varies over the element stands point by point.\n";
+const OF_A_CABLE: &str = "Values in SI units; rows and columns of e in the order r_i r_x_i r_k r_x_k, x before y. What varies over the element stands\n\
+     point by point.\n";
+const OF_A_STRUCTURE: &str = "Values in SI units, from the terms of (23) that are stored with the case: m, k q, f and Phi_q; one number for each coordinate.\n";
+
+/// Every quantity of a state in the paper's order: its function, its form, and its numbers row by row.
+pub fn equations_text(state: &Parsed) -> String {
+    let of_a_kind = |entry: &&Entry| match state {
+        Parsed::Element(_) => !entry.is_of_a_structure() && !entry.is_of_a_cable(),
+        Parsed::Cable(_) => entry.is_of_a_cable(),
+        Parsed::System(_) => entry.is_of_a_structure(),
+    };
+    let (head, value): (&str, Box<dyn Fn(&str) -> Option<Vec<f64>> + '_>) = match state {
+        Parsed::Element(state) => (OF_AN_ELEMENT, Box::new(|quantity| evaluate(quantity, state))),
+        Parsed::Cable(state) => (OF_A_CABLE, Box::new(|quantity| evaluate_cable(quantity, state))),
+        Parsed::System(state) => (OF_A_STRUCTURE, Box::new(|quantity| evaluate_system(quantity, state))),
+    };
+    let mut text = String::from(head);
+    for entry in CONTENTS.iter().filter(of_a_kind) {
         let number = if entry.equation.is_empty() { String::new() } else { format!("({}) ", entry.equation) };
         let form = match entry.form {
             Form::AsPrinted => "",
@@ -21,7 +35,7 @@ pub fn equations_text(state: &ElementState) -> String {
             Form::Beyond => "  [not in the paper]",
         };
         text += &format!("\n{number}{}  {}{form}\n", entry.quantity, entry.function);
-        text += &match evaluate(entry.quantity, state) {
+        text += &match value(entry.quantity) {
             Some(numbers) => values(&numbers, row_length(entry.reference)),
             None => "  has no value in this state\n".into(),
         };
@@ -31,6 +45,17 @@ pub fn equations_text(state: &ElementState) -> String {
 
 /// Numbers in a row of the quantity's matrix.
 fn row_length(quantity: &str) -> usize {
+    if let Some(name) = quantity.strip_prefix("cable.") {
+        return match name {
+            "S" | "S_x" | "S_xx" => 4,
+            "r" | "r_x" | "r_xx" => 2,
+            "epsilon" | "kappa" | "T" | "U" => 1,
+            _ => 8,
+        };
+    }
+    if quantity.starts_with("23.") {
+        return 14;
+    }
     let (_, name) = quantity.rsplit_once('.').unwrap_or(("", quantity));
     match name.split('/').next().unwrap_or(name) {
         "r" | "r_x" | "r_y" | "rdot" | "nodes" | "J" | "J_0" | "epsilon_m" | "coefficients" => 2,

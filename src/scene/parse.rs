@@ -96,7 +96,7 @@ pub(crate) fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str
 const ALIKE: f64 = 0.5;
 
 /// The known name that is most like `name`, whatever the case of its letters; `None` where none is like it.
-pub(super) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let prepare = |name: &str| name.chars().take(COMPARED).collect::<String>().to_lowercase();
     let name = prepare(name);
     let likeness = |other: &str| strsim::normalized_damerau_levenshtein(&name, &prepare(other));

@@ -1,31 +1,41 @@
-//! An element state from a file, checked: what no element can be is refused with the key and what is allowed.
+//! A state from a file, checked: what no element can be is refused with the key and what is allowed. Or a stored one.
 
-use std::path::Path;
+use std::io::ErrorKind;
 
 use super::{ElementState, ThermalModel};
 use crate::conformance::suite::{Parsed, Suite};
 use crate::equations::shape::Vector14;
 use crate::error::{Error, Result};
-use crate::scene::{Refused, read_json};
+use crate::scene::{Refused, nearest, read_json};
 
 /// How far e0 may be from the straight unstretched element of `theta`, in its own length.
 const STRAIGHT: f64 = 1e-9;
 
-impl ElementState {
-    /// Reads a state from a file, or the state of `fixtures/equations.json` that has the name.
-    ///
-    /// # Errors
-    /// [`Error::Read`] if there is neither; [`Error::Scene`] with file, key, value and what is allowed.
-    pub fn load(name: &str) -> Result<ElementState> {
-        match std::fs::read_to_string(name) {
-            Ok(text) => ElementState::parse(&text, name),
-            Err(source) => {
-                let known = if Path::new(name).exists() { None } else { known(name)? };
-                known.ok_or(Error::Read { path: name.into(), source })
+/// The element state of a file; or the stored state of that name, also a cable element's or the terms of (23) of a structure.
+///
+/// # Errors
+/// [`Error::NoState`] if there is neither, [`Error::Read`] if the file cannot be read, [`Error::Scene`] with file, key, value and
+/// what is allowed if it holds no element state.
+pub fn load(name: &str) -> Result<Parsed> {
+    match std::fs::read_to_string(name) {
+        Ok(text) => Ok(Parsed::Element(Box::new(ElementState::parse(&text, name)?))),
+        Err(source) if source.kind() != ErrorKind::NotFound => Err(Error::Read { path: name.into(), source }),
+        Err(_) => {
+            let mut cases = Suite::embedded()?.cases;
+            match cases.iter().position(|case| case.id == name) {
+                Some(place) => Ok(cases.swap_remove(place).parsed),
+                None => Err(unknown(name, cases.iter().map(|case| case.id.as_str()).collect())),
             }
         }
     }
+}
 
+fn unknown(name: &str, known: Vec<&str>) -> Error {
+    let nearest = nearest(name, known.iter().copied()).map(|like| format!("; nearest: `{like}`")).unwrap_or_default();
+    Error::NoState { name: name.into(), nearest, known: known.join(", ") }
+}
+
+impl ElementState {
     /// Reads and checks the text of a state; `file` is the name used in messages.
     ///
     /// # Errors
@@ -59,6 +69,10 @@ impl ElementState {
             return refuse("dT", self.dT, "1 + 2 alpha dT over 0: it is the square of the stretch without stress");
         }
         self.check_initial()?;
+        if self.points.is_empty() {
+            let allowed = "one point [x, y] at least".into();
+            return Err(Refused { key: "points".into(), value: "[]".into(), allowed });
+        }
         for (n, [x, y]) in self.points.iter().enumerate() {
             if !(0.0..=self.l).contains(x) {
                 return refuse(&format!("points[{n}][0]"), *x, "0 ≤ x ≤ l");
@@ -91,13 +105,4 @@ impl ElementState {
         let allowed = if key == "theta" { "the inclination of e0, rad" } else { allowed };
         Err(Refused { key: key.into(), value, allowed: allowed.into() })
     }
-}
-
-/// A state of the fixtures.
-fn known(name: &str) -> Result<Option<ElementState>> {
-    let cases = Suite::embedded()?.cases;
-    Ok(cases.into_iter().find(|case| case.id == name).and_then(|case| match case.parsed {
-        Parsed::Element(state) => Some(*state),
-        _ => None,
-    }))
 }

@@ -1,4 +1,4 @@
-//! The integrals of (18) and (21) with their parts apart, so that each can be left out or changed.
+//! The integrals of (18) and (21) with their parts apart, so that each can be left out or changed, and rules to integrate by.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
@@ -7,7 +7,8 @@ use nalgebra::Vector3;
 use crate::equations::force::{Element, Matrix14, S_1};
 use crate::equations::shape::Vector14;
 use crate::equations::strain::S_abc;
-use crate::equations::volume::gauss_points;
+use crate::equations::volume::{GAUSS_3, GAUSS_5, Point, gauss_points};
+use crate::state::ElementState;
 
 /// What the integrands are made of at one point.
 pub(super) struct Station {
@@ -21,14 +22,56 @@ pub(super) struct Station {
     pub dV: f64,
 }
 
-/// All points.
-pub(super) fn stations(e: &Vector14, element: &Element) -> Vec<Station> {
-    let at = |p: crate::equations::volume::Point| {
+/// The points of a rule that is exact for (18) and (21).
+pub(super) fn exact(state: &ElementState) -> Vec<Point> {
+    gauss_points(state.l, state.h, state.w).into()
+}
+
+/// Gauss's rules with one to five points on \[−1, 1\].
+const GAUSS_1: [(f64, f64); 1] = [(0.0, 2.0)];
+const GAUSS_2: [(f64, f64); 2] = [(-0.577_350_269_189_625_8, 1.0), (0.577_350_269_189_625_8, 1.0)];
+const GAUSS_4: [(f64, f64); 4] = [
+    (-0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+    (-0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
+    (0.339_981_043_584_856_26, 0.652_145_154_862_546_1),
+    (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
+];
+
+/// Gauss's rule with that many points.
+pub(super) fn gauss(points: usize) -> &'static [(f64, f64)] {
+    match points {
+        1 => &GAUSS_1,
+        2 => &GAUSS_2,
+        3 => &GAUSS_3,
+        4 => &GAUSS_4,
+        _ => &GAUSS_5,
+    }
+}
+
+/// The points of two rules on an element, moved on \[−1, 1\] first.
+pub(super) fn points(
+    state: &ElementState,
+    along: &[(f64, f64)],
+    across: &[(f64, f64)],
+    moved: impl Fn(f64, f64) -> (f64, f64),
+) -> Vec<Point> {
+    let volume = state.l * state.h * state.w / 4.0;
+    let pairs = along.iter().flat_map(|a| across.iter().map(move |b| (*a, *b)));
+    let point = |((xi, of_xi), (eta, of_eta)): ((f64, f64), (f64, f64))| {
+        let (xi, eta) = moved(xi, eta);
+        Point { x: state.l / 2.0 * (1.0 + xi), y: state.h / 2.0 * eta, dV: volume * of_xi * of_eta }
+    };
+    pairs.map(point).collect()
+}
+
+/// The integrands at points.
+pub(super) fn stations(e: &Vector14, element: &Element, points: &[Point]) -> Vec<Station> {
+    let at = |p: &Point| {
         let (S_a, S_b, S_c) = S_abc(p.x, p.y, element);
         let S = [S_a, S_b, S_c];
         Station { S_1: S.map(|S| S_1(&S)), form: S.map(|S| e.dot(&(S * e))), S, dV: p.dV }
     };
-    gauss_points(element.l, element.h, element.w).into_iter().map(at).collect()
+    points.iter().map(at).collect()
 }
 
 /// ¼ ∫ Σ weightₖ S_k1 dV with weights by the station.
@@ -45,11 +88,15 @@ pub(super) fn K(stations: &[Station], weights: impl Fn(&Station) -> [f64; 3]) ->
     K
 }
 
-/// ¼ ∫ Σ weightₖₙ (S_k1 e)(S_n1 e)ᵀ dV: what K's own change with e adds to the tangent.
-pub(super) fn material(stations: &[Station], e: &Vector14, weights: [[f64; 3]; 3]) -> Matrix14 {
+/// ¼ ∫ Σ weightₖₙ Bₖ Bₙᵀ dV: what K's own change with e adds to the tangent; Bₖ = S_k1 e, or what is taken for it.
+pub(super) fn material(
+    stations: &[Station],
+    B: impl Fn(&Station) -> [Vector14; 3],
+    weights: [[f64; 3]; 3],
+) -> Matrix14 {
     let mut sum = Matrix14::zeros();
     for station in stations {
-        let B = station.S_1.map(|S_1| S_1 * e);
+        let B = B(station);
         for (k, row) in weights.iter().enumerate() {
             for (n, weight) in row.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
                 sum += B[k] * B[n].transpose() * (0.25 * weight * station.dV);
@@ -59,8 +106,18 @@ pub(super) fn material(stations: &[Station], e: &Vector14, weights: [[f64; 3]; 3
     sum
 }
 
+/// Twice the strain without heat less twice the heat: the brackets of (21).
+pub(super) fn bracket(station: &Station, eps_T: &Vector3<f64>, k: usize) -> f64 {
+    station.form[k] - [1.0, 1.0, 0.0][k] - 2.0 * eps_T[k]
+}
+
 /// ∫ εₖ εₙ dV.
 pub(super) fn product(stations: &[Station], eps_T: &Vector3<f64>, k: usize, n: usize) -> f64 {
-    let eps = |station: &Station, k: usize| 0.5 * (station.form[k] - [1.0, 1.0, 0.0][k]) - eps_T[k];
+    let eps = |station: &Station, k: usize| 0.5 * bracket(station, eps_T, k);
     stations.iter().map(|station| eps(station, k) * eps(station, n) * station.dV).sum()
+}
+
+/// ∫ εₙ dV.
+pub(super) fn mean(stations: &[Station], eps_T: &Vector3<f64>, n: usize) -> f64 {
+    stations.iter().map(|station| 0.5 * bracket(station, eps_T, n) * station.dV).sum()
 }

@@ -1,0 +1,158 @@
+//! Factors as people write them: fractions, and powers of what an element has.
+
+use super::Kind;
+
+/// What can stand in a factor, and the exponents that are tried.
+pub(super) const NAMES: [(&str, i32); 5] = [("l", 3), ("h", 2), ("w", 1), ("ρ", 1), ("E", 1)];
+/// Numbers of one case, in the order of [`NAMES`]; 1 where a case has none.
+pub(super) type Numbers = [f64; 5];
+/// Largest denominator and numerator that are taken for a fraction.
+const SIMPLE: i32 = 16;
+
+/// A factor by which a term is too large, in one case.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sample {
+    /// The factor.
+    pub factor: f64,
+    /// How well it is known.
+    pub within: f64,
+    /// What it may be made of.
+    pub of: Numbers,
+}
+
+impl Sample {
+    fn is(&self, factor: f64) -> bool {
+        (self.factor - factor).abs() <= self.within + 1e-10 * factor.abs()
+    }
+}
+
+/// A number times powers of [`NAMES`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Law {
+    number: f64,
+    exponents: [i32; 5],
+}
+
+impl Law {
+    /// The simplest law that gives all factors.
+    pub(super) fn of(samples: &[Sample]) -> Option<Law> {
+        let best = samples.iter().min_by(|a, b| a.within.total_cmp(&b.within))?;
+        let mut all = exponents();
+        all.sort_by_key(|exponents| exponents.iter().map(|n| n.abs()).sum::<i32>());
+        all.into_iter().find_map(|exponents| {
+            let raw = best.factor / product(&best.of, &exponents);
+            let fraction = fraction(raw, best.within / raw.abs() + 1e-10);
+            let constant = exponents == [0; 5];
+            // A number that is no fraction says something only if it stands alone; zero needs no powers.
+            let number = fraction.map_or(raw, |(p, q)| f64::from(p) / f64::from(q));
+            if (fraction.is_none() || number == 0.0) && !constant {
+                return None;
+            }
+            let law = Law { number, exponents };
+            samples.iter().all(|sample| sample.is(law.value(&sample.of))).then_some(law)
+        })
+    }
+
+    /// A factor that is the same everywhere.
+    pub(super) fn constant(number: f64) -> Law {
+        Law { number, exponents: [0; 5] }
+    }
+
+    fn value(&self, of: &Numbers) -> f64 {
+        self.number * product(of, &self.exponents)
+    }
+
+    /// Whether it is a constant.
+    pub(super) fn is_constant(&self) -> bool {
+        self.exponents == [0; 5]
+    }
+
+    /// Its kind, and what it says of a term.
+    pub(super) fn words(&self) -> (Kind, String) {
+        if !self.is_constant() {
+            return self.power_words();
+        }
+        let size = match self.number.abs() {
+            0.0 => return (Kind::Missing, "missing".into()),
+            0.25 => "a quarter".into(),
+            0.5 => "half".into(),
+            1.0 => String::new(),
+            2.0 => "twice".into(),
+            4.0 => "four times".into(),
+            _ => format!("times {}", number_words(self.number.abs())),
+        };
+        match (self.number < 0.0, size.as_str()) {
+            (true, "") => (Kind::Sign, "with the other sign".into()),
+            (true, size) => (Kind::Sign, format!("with the other sign and {size}")),
+            (false, size) => (Kind::Factor, size.into()),
+        }
+    }
+
+    fn power_words(&self) -> (Kind, String) {
+        let of_sign = |sign: i32| -> Vec<String> {
+            let power = |((name, _), n): (&(&str, i32), &i32)| match n.abs() {
+                1 => name.to_string(),
+                2 => format!("{name}²"),
+                _ => format!("{name}³"),
+            };
+            NAMES.iter().zip(&self.exponents).filter(|(_, n)| n.signum() == sign).map(power).collect()
+        };
+        let (above, below) = (of_sign(1), of_sign(-1));
+        match (&above[..], &below[..], self.number) {
+            ([], [one], 1.0) => return (Kind::Missing, format!("without the factor {one}")),
+            ([one], [], 1.0) => return (Kind::Factor, format!("times {one}: once too often, or not divided by it")),
+            _ => {}
+        }
+        let number = number_words(self.number);
+        let above = if self.number == 1.0 && !above.is_empty() {
+            above.join(" ")
+        } else {
+            [vec![number], above].concat().join(" ")
+        };
+        let words = match &below[..] {
+            [] => format!("times {above}"),
+            [one] => format!("times {above}/{one}"),
+            many => format!("times {above}/({})", many.join(" ")),
+        };
+        (if self.exponents.iter().all(|n| *n <= 0) { Kind::Missing } else { Kind::Factor }, words)
+    }
+}
+
+/// All exponents that are tried.
+fn exponents() -> Vec<[i32; 5]> {
+    let mut all = vec![[0; 5]];
+    for (place, (_, most)) in NAMES.iter().enumerate() {
+        all = all
+            .iter()
+            .flat_map(|exponents| {
+                (-most..=*most).map(|n| {
+                    let mut changed = *exponents;
+                    changed[place] = n;
+                    changed
+                })
+            })
+            .collect();
+    }
+    all
+}
+
+fn product(of: &Numbers, exponents: &[i32; 5]) -> f64 {
+    of.iter().zip(exponents).map(|(value, n)| value.powi(*n)).product()
+}
+
+/// The fraction with the smallest denominator that a number is, if it is a simple one.
+pub(super) fn fraction(number: f64, within: f64) -> Option<(i32, i32)> {
+    (1..=SIMPLE).find_map(|q| {
+        let p = (number * f64::from(q)).round();
+        let near = (number - p / f64::from(q)).abs() <= within * number.abs().max(1.0);
+        (p.abs() <= f64::from(SIMPLE) && near).then_some((p as i32, q))
+    })
+}
+
+fn number_words(number: f64) -> String {
+    match fraction(number, 1e-12) {
+        Some((p, 1)) => p.to_string(),
+        Some((p, q)) => format!("{p}/{q}"),
+        None => format!("{number:.6}"),
+    }
+}
