@@ -87,7 +87,12 @@ fn check_material(key: impl Display, material: &Material) -> Check {
 
 fn check_section(key: impl Display, section: &Section) -> Check {
     positive(format_args!("{key}.height"), section.height)?;
-    positive(format_args!("{key}.width"), section.width)
+    positive(format_args!("{key}.width"), section.width)?;
+    // The highest of the section's integrals, which bending in large strains needs; an underflow would take it away in silence.
+    let highest = section.width * section.height.powi(5);
+    let allowed =
+        "a height whose fifth power times the width is a number that f64 holds in all its digits; other units help";
+    require(highest.is_normal(), format_args!("{key}.height"), format_args!("{:?}", section.height), allowed)
 }
 
 /// Only generalized-α solves equation (23) with its multipliers.

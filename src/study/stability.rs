@@ -3,12 +3,15 @@
 //! A [`Case`] sweeps one parameter until the method breaks. Its reference is a closed form or a fixture of the oracle, its
 //! bound is derived where the case is written, in words that stand beside each row. A kept energy balance alone makes no row right.
 
+mod axis;
 mod bad;
 pub mod case;
 mod collapsed;
 mod far;
 mod fine;
+mod halving;
 mod heat;
+mod hinge;
 mod honest;
 mod inclined;
 mod joined;

@@ -4,13 +4,14 @@ use serde::Serialize;
 
 use super::row::{Row, Verdict};
 use super::{
-    bad, collapsed, far, fine, heat, honest, inclined, joined, long, poisson, rotation, shock, singular, slender,
+    bad, collapsed, far, fine, heat, hinge, honest, inclined, joined, long, poisson, rotation, shock, singular, slender,
     step_size, stiff, still, units,
 };
 use crate::counts::Counts;
 use crate::error::{Error, Result};
 
-/// A bound above this part of the size of what is measured makes a result useless: it has to be warned of.
+/// A bound above this part of the size of what is measured shows little; and rounding above it makes a result useless, of which the
+/// run has to warn.
 const USELESS: f64 = 1e-2;
 
 /// One case of the table.
@@ -40,7 +41,7 @@ pub const CASES: &[Case] = &[
     heat::FREE,
     heat::CLAMPED,
     shock::CASE,
-    shock::HINGE,
+    hinge::CASE,
     honest::CASE,
     poisson::CASE,
     rotation::SPUN,
@@ -85,9 +86,11 @@ pub struct Finding {
     pub bound: f64,
     /// What the bound is made of.
     pub why: String,
-    /// Size of what is measured, beside which the bound shows what a result is worth; `None` where the bound is the
-    /// difference of two theories, which no better arithmetic takes away.
-    pub size: Option<f64>,
+    /// Size of what is measured, beside which the bound shows what the row is worth.
+    pub size: f64,
+    /// The part of the bound that rounding makes. A run knows of it, and has to warn where it makes the result useless; of steps,
+    /// meshes and theories it knows nothing.
+    pub rounding: f64,
     /// The work.
     pub counts: Counts,
     /// What the run warns of.
@@ -149,7 +152,7 @@ impl Trial {
         let (verdict, note) = self.judge(&outcome);
         let finding = outcome.ok();
         let has = finding.is_some();
-        let Finding { error, bound, why, counts, beside, .. } = finding.unwrap_or_default();
+        let Finding { error, bound, why, size, counts, beside, .. } = finding.unwrap_or_default();
         Row {
             case: case.name,
             variant: self.variant.clone(),
@@ -157,6 +160,8 @@ impl Trial {
             value: self.value,
             error: has.then_some(error),
             bound: has.then_some(bound),
+            size: has.then_some(size),
+            loose: has && bound > USELESS * size,
             unit: case.unit,
             why,
             beside,
@@ -188,7 +193,7 @@ impl Trial {
 impl Finding {
     fn judge(&self, expected: Expected) -> (Verdict, String) {
         let said = self.warnings.join("; ");
-        let useless = self.size.is_some_and(|size| self.bound > USELESS * size);
+        let useless = self.rounding > USELESS * self.size;
         // Not the same as error > bound: a NaN is not within any.
         let within = self.error <= self.bound && self.bound.is_finite();
         let lacking = match expected {
@@ -215,7 +220,7 @@ mod tests {
 
     fn finding(error: f64, bound: f64, warning: &str) -> Finding {
         let warnings = if warning.is_empty() { Vec::new() } else { vec![warning.into()] };
-        Finding { error, bound, size: Some(1.0), warnings, ..Finding::default() }
+        Finding { error, bound, size: 1.0, rounding: bound, warnings, ..Finding::default() }
     }
 
     #[test]
@@ -229,6 +234,10 @@ mod tests {
         assert_eq!(judged(Result, || Ok(finding(1.0, f64::INFINITY, "hm"))), Verdict::Wrong);
         assert_eq!(judged(Result, || Ok(finding(1e-9, 0.1, ""))), Verdict::Wrong);
         assert_eq!(judged(Result, || Ok(finding(1e-9, 0.1, "hm"))), Verdict::Warned);
+        let of_the_step = || Ok(Finding { rounding: 1e-12, ..finding(1e-9, 0.1, "") });
+        assert_eq!(judged(Result, of_the_step), Verdict::Right);
+        assert!(Trial::new("", 1.0, of_the_step).row(&CASES[0]).loose);
+        assert!(!Trial::new("", 1.0, || Ok(finding(1e-9, 1e-8, ""))).row(&CASES[0]).loose);
         assert_eq!(judged(Result, refused), Verdict::Wrong);
         assert_eq!(judged(ResultOrRefusal, refused), Verdict::Refused);
         assert_eq!(judged(ResultOrRefusal, || Ok(finding(2e-8, 1e-8, "hm"))), Verdict::Wrong);

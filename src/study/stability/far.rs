@@ -3,6 +3,7 @@
 use nalgebra::{Rotation2, Vector2};
 
 use super::case::{Case, Expected, Finding, Trial};
+use super::stiff;
 use super::tools::{EPS, Path, builtin, positions};
 use crate::error::Result;
 use crate::run::run;
@@ -15,12 +16,16 @@ pub const CASE: Case = Case {
     unit: "m",
     reference: "the same pendulum at the origin, along x",
     right: "displacements are stored, not places, so that (L/h)² does not enter: what is lost is lost when the points of the file are \
-            rounded, ε_mach/2 · offset each. The rod's length and direction are then off by 2 ε_mach · offset, which its tip's place shows \
-            at most fivefold within half a second (one swing: the angle of the start, the length in the period), and the output rounds \
-            once more: 10 ε_mach · offset, beside 1e-12 m of rounding in the turned axes. A rod shorter than 1e-9 of its coordinates is \
-            refused.",
+            rounded, ε_mach/2 of each coordinate (offset and 0.7 offset). Two ends: length and direction are off by δ = 1.22 ε_mach · offset. The \
+            tip shows the direction once (a swing does not grow with its start in half a second), the length once, the period that goes \
+            with it by ½√(3g/L) T = 1.36 times (ω ≤ √(3g/L)), and the deflection, as L⁴, 4(1/336 + 1/302) q₀L⁴/EI = 0.29 times; the output \
+            rounds by half of δ: 5.1 ε_mach · offset. Each step rounds u and v, in both runs: 2n ε_mach (|u| + |v|T), and Newton may leave \
+            1e-14 of the largest force, ½ 1e-14 · 3g T². A rod shorter than 1e-9 of its coordinates is refused.",
     trials,
 };
+
+const END: f64 = 0.5;
+const TOLERANCE: f64 = 1e-14;
 
 fn trials() -> Result<Vec<Trial>> {
     let mut trials = Vec::new();
@@ -45,8 +50,8 @@ fn trials() -> Result<Vec<Trial>> {
 fn scene(element: Element, method: Method) -> Result<Scene> {
     let mut scene = builtin("pendulum-flexible")?;
     (scene.rods[0].element, scene.rods[0].elements) = (element, 4);
-    (scene.time.method, scene.time.step, scene.time.end) = (method, 1e-3, 0.5);
-    scene.time.newton_tolerance = 1e-12;
+    (scene.time.method, scene.time.step, scene.time.end) = (method, 1e-3, END);
+    scene.time.newton_tolerance = TOLERANCE;
     Ok(scene)
 }
 
@@ -59,12 +64,19 @@ fn measure(element: Element, method: Method, angle: f64, offset: f64) -> Result<
     let (at_origin, run) = (run(&here)?, run(&there)?);
     let back = |point: &[f64; 2]| (turn.inverse() * (Vector2::from(*point) - by)).into();
     let path: Path = positions(&run, "tip").iter().map(back).collect();
-    let bound = 10.0 * EPS * offset + 1e-12;
+    let g = -here.gravity[1];
+    let fastest = (3.0 * g).sqrt();
+    let points = f64::hypot(1.0, 0.7) * EPS * offset;
+    let shown = 1.0 + 1.0 + 0.5 * fastest * END + 4.0 * (1.0 / 336.0 + 1.0 / 302.0) * stiff::bent(&here) + 0.5;
+    // Half a swing takes the tip by √2 at most.
+    let steps = 2.0 * run.counts.steps as f64 * EPS * (2f64.sqrt() + fastest * END) + TOLERANCE * 3.0 * g * END * END;
+    let bound = shown * points + steps;
     Ok(Finding {
         error: largest(&path, &positions(&at_origin, "tip")),
         bound,
-        why: format!("points rounded by {:.1e} m", EPS * offset / 2.0),
-        size: Some(1.0),
+        why: format!("points {points:.1e} m, shown {shown:.1} times; steps {steps:.1e}"),
+        size: 1.0,
+        rounding: bound,
         counts: run.counts,
         warnings: run.warnings,
         beside: None,

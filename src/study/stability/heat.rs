@@ -1,5 +1,10 @@
 //! Heat, from what can hardly be told from none to the limits of the strain measure: rods that are free to expand, and rods that are
 //! not.
+//!
+//! Each rounding is counted once, and none against another. Free: a strain of the size 1 + 2αΔT is rounded where nodes are subtracted,
+//! where it is squared, where heat is taken off and where the tip is written, half of ε_mach each; Newton's iteration may leave its
+//! tolerance, 1e-15 of EA. Clamped: the reaction is a sum over the 15 quadrature points of terms αΔT D, D of four roundings, written
+//! once: 20 halves of ε_mach of N, and Newton's tolerance of it. (Euler–Bernoulli has fewer.)
 
 use super::case::{Case, Expected, Finding, Trial};
 use super::tools::{EPS, builtin, last, positions};
@@ -12,8 +17,8 @@ pub const FREE: Case = Case {
     parameter: "αΔT",
     unit: "of E",
     reference: "no stress at the stretch √(1 + 2αΔT), Euler–Bernoulli 1 + αΔT (M2)",
-    right: "the stress of the stretch that statics finds, over E, at most 1e-13 (1 + 2αΔT): some hundred roundings of the strain and of \
-            what it is subtracted from. Where the stress-free stretch is not positive the scene is refused, with the limit.",
+    right: "the stress of the stretch that statics finds, over E, at most (2 ε_mach + 1e-15)(1 + 2αΔT): four roundings of a strain, and \
+            Newton's tolerance. Where the stress-free stretch is not positive the scene is refused, with the limit.",
     trials: free,
 };
 
@@ -23,7 +28,7 @@ pub const CLAMPED: Case = Case {
     unit: "of EA",
     reference: "N = −EAαΔT/(1 − ν²) of the straight rod whose section is free to thicken (M8); Euler's load of the straight branch, \
                 4π²EI/L² clamped",
-    right: "reaction at most 50 ε_mach EA (1 + αΔT) off: every entry of the residual is a sum of some tens of terms of that size. Twice \
+    right: "reaction at most (10 ε_mach + 1e-15) N off: twenty roundings of N, and Newton's tolerance. Twice \
             above Euler's load the straight equilibrium is unstable, and the run has to say so; half below it must not.",
     trials: clamped,
 };
@@ -31,6 +36,8 @@ pub const CLAMPED: Case = Case {
 /// A power of two, so that ΔT = strain/α is exact.
 const ALPHA: f64 = 1.0 / 65536.0;
 const NU: f64 = 0.3;
+/// Newton's, of the largest force.
+const TOLERANCE: f64 = 1e-15;
 /// h/L.
 const HEIGHT: f64 = 0.02;
 
@@ -44,7 +51,7 @@ fn rod(element: Element, strain: f64) -> Result<Scene> {
     (scene.material.youngs_modulus, scene.material.alpha) = (2e8, ALPHA);
     (scene.section.height, scene.section.width) = (HEIGHT, HEIGHT);
     (scene.rods[0].element, scene.rods[0].elements) = (element, 4);
-    (scene.time.load_steps, scene.time.newton_tolerance) = (10, 1e-15);
+    (scene.time.load_steps, scene.time.newton_tolerance) = (10, TOLERANCE);
     (scene.forces, scene.temperature) = (Vec::new(), heated(strain));
     Ok(scene)
 }
@@ -81,9 +88,11 @@ fn expand(element: Element, strain: f64) -> Result<Finding> {
         Element::Ancf => 0.5 * (stretch - 1.0) * (stretch + 1.0) - strain,
         Element::EulerBernoulli => stretch - 1.0 - strain,
     };
-    let (error, bound) = (stress.abs(), 1e-13 * (1.0 + 2.0 * strain.max(0.0)));
-    let why = "roundings of the strain".into();
-    Ok(Finding { error, bound, why, size: None, counts: run.counts, warnings: run.warnings, beside: None })
+    let size = 1.0 + 2.0 * strain.max(0.0);
+    let bound = (2.0 * EPS + TOLERANCE) * size;
+    let why = "four roundings of the strain, Newton's tolerance".into();
+    let (counts, warnings) = (run.counts, run.warnings);
+    Ok(Finding { error: stress.abs(), bound, why, size, rounding: bound, counts, warnings, beside: None })
 }
 
 fn clamped() -> Result<Vec<Trial>> {
@@ -124,8 +133,10 @@ fn press(element: Element, strain: f64) -> Result<Finding> {
     let stiffness = scene.material.youngs_modulus * HEIGHT * HEIGHT;
     let reaction = -last(&run, "wall.rx") / stiffness;
     let error = (reaction - strain / (1.0 - nu * nu)).hypot(last(&run, "wall.ry") / stiffness);
-    let (bound, why) = (50.0 * EPS * (1.0 + strain.abs()), "roundings of EA".into());
+    let size = strain.abs() / (1.0 - nu * nu);
+    let bound = (10.0 * EPS + TOLERANCE) * size;
+    let (counts, why) = (run.counts, "twenty roundings of N, Newton's tolerance".into());
     // The element with ν ≠ 0 warns of locking in bending, of which there is none here.
     let warnings = run.warnings.into_iter().filter(|warning| !warning.contains("locks")).collect();
-    Ok(Finding { error, bound, why, size: Some(1.0), counts: run.counts, warnings, beside: None })
+    Ok(Finding { error, bound, why, size, rounding: bound, counts, warnings, beside: None })
 }

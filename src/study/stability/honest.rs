@@ -111,7 +111,9 @@ fn measure(
         error,
         bound: 1.0,
         why: format!("estimate {estimate:.1e} m, true {off:.1e} ± {doubt:.0e} m: {:.2} times", estimate / off),
-        size: None,
+        // A ratio between two limits has no size.
+        size: f64::INFINITY,
+        rounding: 0.0,
         counts: own.counts,
         warnings: own.warnings,
         beside: None,

@@ -9,8 +9,9 @@ pub fn page(study: &Study, svg: &str) -> String {
     let mut html = Html::default();
     html.paragraph(
         "Each case sweeps one parameter until the method breaks. A row is right within a bound that is derived; refused with a reason; or \
-         WRONG. A bound above a hundredth of what is measured makes a result useless: the run has to warn of it. A kept energy balance \
-         alone makes no row right.",
+         WRONG. Rounding that may be above a hundredth of what is measured makes a result useless: the run has to warn of it. A bound \
+         above a hundredth that comes from the step, the mesh or the theory is marked `~`: such a row shows little. A kept energy \
+         balance alone makes no row right.",
     );
     html.svg(svg);
     for Swept { case, rows } in &study.cases {
@@ -31,9 +32,9 @@ fn cells(row: &Row) -> Vec<String> {
     let number = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.1e}"));
     vec![
         row.variant.clone(),
-        format!("{:e}", row.value),
+        row.shown(),
         number(row.error),
-        number(row.bound),
+        format!("{}{}", number(row.bound), if row.loose { " ~" } else { "" }),
         row.why.clone(),
         number(row.beside),
         row.counts.newton_iterations.to_string(),

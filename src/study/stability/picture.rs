@@ -1,32 +1,34 @@
-//! The pictures: error over the swept parameter, both logarithmic, with the bounds drawn in.
+//! The pictures: error over the swept parameter, with the bounds drawn in; both logarithmic, but for angles.
 
 use std::ops::Range;
 
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint};
 use plotters::prelude::*;
 
 use super::Swept;
+use super::axis::Axis;
 use super::row::{Row, Verdict};
 use crate::error::{Error, Result};
 
-/// Okabe and Ito's colours, as in the other pictures.
-const PALETTE: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(230, 159, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(213, 94, 0),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-    RGBColor(90, 90, 90),
+/// What a colour stands for: the method whose word is in a variant's name, in Okabe and Ito's colours as in the other pictures. An
+/// adaptive method's word holds that of the other, and comes first.
+const METHODS: [(&str, RGBColor); 7] = [
+    ("gauss-adaptive", RGBColor(86, 180, 233)),
+    ("nystrom-adaptive", RGBColor(204, 121, 167)),
+    ("energy-momentum", RGBColor(0, 114, 178)),
+    ("generalized-alpha", RGBColor(230, 159, 0)),
+    ("gauss", RGBColor(0, 158, 115)),
+    ("explicit", RGBColor(213, 94, 0)),
+    ("nystrom", RGBColor(160, 50, 110)),
 ];
+const OTHER: (&str, RGBColor) = ("statics, and cases of one method", RGBColor(90, 90, 90));
 
-const WIDTH: u32 = 1120;
-const PANEL_HEIGHT: u32 = 380;
-const TITLE_HEIGHT: u32 = 44;
-const COLUMNS: usize = 2;
-
-/// What is less than this is drawn there: there is no zero on a logarithmic axis.
-const LEAST: f64 = 1e-18;
+const WIDTH: u32 = 1200;
+const PANEL_HEIGHT: u32 = 250;
+const HEAD_HEIGHT: u32 = 92;
+const COLUMNS: usize = 3;
+const FONT: (&str, u32) = ("sans-serif", 12);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type DrawingResult<'a> = std::result::Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
@@ -37,8 +39,8 @@ type DrawingResult<'a> = std::result::Result<(), DrawingAreaErrorKind<<SVGBacken
 /// [`Error::Picture`] with the library's reason.
 pub fn svg(cases: &[Swept]) -> Result<String> {
     let drawn: Vec<&Swept> = cases.iter().filter(|swept| swept.rows.iter().any(|row| row.error.is_some())).collect();
-    let height = TITLE_HEIGHT + PANEL_HEIGHT * drawn.len().div_ceil(COLUMNS).max(1) as u32;
-    let title = "Stiff and extreme cases: errors (marks), bounds (lines), refused (crosses at the top)";
+    let height = HEAD_HEIGHT + PANEL_HEIGHT * drawn.len().div_ceil(COLUMNS).max(1) as u32;
+    let title = "Stiff and extreme cases";
     let mut text = String::new();
     draw(title, &drawn, SVGBackend::with_string(&mut text, (WIDTH, height)))
         .map_err(|reason| Error::Picture { title: title.into(), reason: reason.to_string() })?;
@@ -48,8 +50,9 @@ pub fn svg(cases: &[Swept]) -> Result<String> {
 fn draw<'a>(title: &str, cases: &[&Swept], backend: SVGBackend<'a>) -> DrawingResult<'a> {
     let root = backend.into_drawing_area();
     root.fill(&WHITE)?;
-    let (head, body) = root.split_vertically(TITLE_HEIGHT);
-    head.titled(title, ("sans-serif", 20))?;
+    let (head, body) = root.split_vertically(HEAD_HEIGHT);
+    let key = head.titled(title, ("sans-serif", 20))?;
+    legend(&key)?;
     let rows = cases.len().div_ceil(COLUMNS).max(1);
     for (area, swept) in body.split_evenly((rows, COLUMNS)).iter().zip(cases) {
         panel(area, swept)?;
@@ -57,68 +60,102 @@ fn draw<'a>(title: &str, cases: &[&Swept], backend: SVGBackend<'a>) -> DrawingRe
     root.present()
 }
 
-/// The size of a parameter: some are negative, and logarithms know no sign.
-fn size(row: &Row) -> f64 {
-    row.value.abs()
-}
-
-fn panel<'a>(area: &Area<'a>, swept: &Swept) -> DrawingResult<'a> {
-    let rows = || swept.rows.iter();
-    let values = decades(rows().map(size));
-    let numbers = rows().flat_map(|row| [row.error, row.bound, row.beside]).flatten();
-    let errors = decades(numbers.map(|value| value.max(LEAST)));
-    let top = errors.end;
-    let mut chart = ChartBuilder::on(area)
-        .margin(10)
-        .caption(swept.case.name, ("sans-serif", 16))
-        .x_label_area_size(40)
-        .y_label_area_size(70)
-        .build_cartesian_2d(values.clone().log_scale(), errors.clone().log_scale())?;
-    let power = |value: &f64| format!("{value:.0e}");
-    chart
-        .configure_mesh()
-        .x_desc(format!("|{}|", swept.case.parameter))
-        .y_desc(format!("error, {}", swept.case.unit))
-        .label_style(("sans-serif", 12))
-        .light_line_style(WHITE)
-        .x_label_formatter(&power)
-        .y_label_formatter(&power)
-        .draw()?;
-    let mut variants: Vec<&str> = rows().map(|row| row.variant.as_str()).collect();
-    variants.dedup();
-    for (number, variant) in variants.iter().enumerate() {
-        let colour = PALETTE[number % PALETTE.len()];
-        let own = || rows().filter(|row| row.variant == *variant);
-        let place = |row: &Row, value: Option<f64>| {
-            let value = value.filter(|value| value.is_finite())?;
-            Some((size(row).clamp(values.start, values.end), value.clamp(errors.start, errors.end)))
-        };
-        let mut bounds: Vec<(f64, f64)> = own().filter_map(|row| place(row, row.bound)).collect();
-        bounds.sort_by(|a, b| a.0.total_cmp(&b.0));
-        chart.draw_series(LineSeries::new(bounds, colour.mix(0.5).stroke_width(1)))?;
-        let style = |row: &Row| if row.verdict == Verdict::Wrong { RED.filled() } else { colour.filled() };
-        let marks = own().filter_map(|row| Some(Circle::new(place(row, row.error)?, 3, style(row))));
-        chart.draw_series(marks)?;
-        let beside = own().filter_map(|row| Some(Circle::new(place(row, row.beside)?, 3, colour.stroke_width(1))));
-        chart.draw_series(beside)?;
-        let refused = own().filter(|row| row.error.is_none());
-        chart.draw_series(
-            refused.map(|row| Cross::new((size(row).clamp(values.start, values.end), top), 4, style(row))),
-        )?;
+/// The marks in one line, the colours in the next.
+fn legend<'a>(area: &Area<'a>) -> DrawingResult<'a> {
+    let text = |words: &str, x: i32, y: i32| Text::new(words.to_string(), (x, y - 6), FONT);
+    let grey = OTHER.1;
+    area.draw(&Circle::new((20, 10), 3, grey.filled()))?;
+    area.draw(&text("error", 30, 10))?;
+    area.draw(&PathElement::new([(95, 10), (125, 10)], grey.mix(0.5).stroke_width(2)))?;
+    area.draw(&text("its bound", 132, 10))?;
+    area.draw(&Cross::new((220, 10), 4, grey.stroke_width(1)))?;
+    area.draw(&text("refused, with the reason", 230, 10))?;
+    area.draw(&Circle::new((400, 10), 3, grey.stroke_width(1)))?;
+    area.draw(&text("beside it, not judged: the total form of slenderness", 410, 10))?;
+    area.draw(&Circle::new((720, 10), 4, RED.filled()))?;
+    area.draw(&text("WRONG", 730, 10))?;
+    for (number, (name, colour)) in METHODS.iter().chain([&OTHER]).enumerate() {
+        let x = 20 + 145 * number as i32;
+        area.draw(&Circle::new((x, 32), 4, colour.filled()))?;
+        area.draw(&text(name, x + 10, 32))?;
     }
     Ok(())
 }
 
-/// The decades that hold the positive values.
-fn decades(values: impl Iterator<Item = f64>) -> Range<f64> {
-    let (low, high) = values
-        .filter(|value| value.is_finite() && *value > 0.0)
-        .fold((f64::MAX, 0.0f64), |(low, high), value| (low.min(value), high.max(value)));
-    if high == 0.0 {
-        return 1e-1..1e1;
+/// A linear scale with ticks of its own.
+struct Scale {
+    range: Range<f64>,
+    ticks: Vec<f64>,
+}
+
+impl Ranged for Scale {
+    type FormatOption = DefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        let part = (value - self.range.start) / (self.range.end - self.range.start);
+        limit.0 + (part * f64::from(limit.1 - limit.0)).round() as i32
     }
-    let (low, high) = (low.log10().floor(), high.log10().ceil());
-    10f64.powf(low)..10f64.powf(high.max(low + 1.0))
+
+    fn key_points<Hint: KeyPointHint>(&self, _hint: Hint) -> Vec<f64> {
+        self.ticks.clone()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.range.clone()
+    }
+}
+
+/// The colour of a variant.
+fn colour(variant: &str) -> RGBColor {
+    METHODS.iter().find(|(method, _)| variant.contains(method)).unwrap_or(&OTHER).1
+}
+
+fn panel<'a>(area: &Area<'a>, swept: &Swept) -> DrawingResult<'a> {
+    let rows = || swept.rows.iter();
+    let across = Axis::of_parameter(swept.case, rows().map(|row| row.value));
+    let numbers = rows().flat_map(|row| [row.error, row.bound, row.beside]).flatten();
+    let up = Axis::of_errors(format!("error, {}", swept.case.unit), numbers);
+    let Range { start, end } = up.range;
+    // Room for the crosses of what is refused.
+    let top = end + 0.06 * (end - start);
+    let mut chart = ChartBuilder::on(area)
+        .margin(8)
+        .caption(swept.case.name, ("sans-serif", 15))
+        .x_label_area_size(38)
+        .y_label_area_size(58)
+        .build_cartesian_2d(
+            Scale { range: across.range.clone(), ticks: across.ticks.clone() },
+            Scale { range: start..top + 0.04 * (end - start), ticks: up.ticks.clone() },
+        )?;
+    chart
+        .configure_mesh()
+        .x_desc(&across.title)
+        .y_desc(&up.title)
+        .label_style(FONT)
+        .light_line_style(WHITE)
+        .x_label_formatter(&|x| across.label(*x))
+        .y_label_formatter(&|y| up.label(*y))
+        .draw()?;
+    let mut variants: Vec<&str> = rows().map(|row| row.variant.as_str()).collect();
+    variants.dedup();
+    for variant in variants {
+        let colour = colour(variant);
+        let own = || rows().filter(|row| row.variant == variant);
+        let place = |row: &Row, value: Option<f64>| Some((across.place(row.value)?, up.place(value?)?));
+        let mut bounds: Vec<(f64, f64)> = own().filter_map(|row| place(row, row.bound)).collect();
+        bounds.sort_by(|a, b| a.0.total_cmp(&b.0));
+        chart.draw_series(LineSeries::new(bounds, colour.mix(0.5).stroke_width(1)))?;
+        let is_wrong = |row: &Row| row.verdict == Verdict::Wrong;
+        let style = |row: &Row| if is_wrong(row) { RED.filled() } else { colour.filled() };
+        chart.draw_series(own().filter_map(|row| Some(Circle::new(place(row, row.error)?, 3, style(row)))))?;
+        let beside = own().filter_map(|row| Some(Circle::new(place(row, row.beside)?, 3, colour.stroke_width(1))));
+        chart.draw_series(beside)?;
+        let refused = own().filter(|row| row.error.is_none());
+        chart
+            .draw_series(refused.filter_map(|row| Some(Cross::new((across.place(row.value)?, top), 4, style(row)))))?;
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -126,9 +163,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn decades_hold_what_is_positive() {
-        let range = decades([0.0, -1.0, f64::NAN, 3e-5, 200.0].into_iter());
-        assert!((range.start / 1e-5 - 1.0).abs() < 1e-12 && (range.end / 1e3 - 1.0).abs() < 1e-12);
-        assert_eq!(decades([0.0].into_iter()), 1e-1..1e1);
+    fn a_colour_is_that_of_the_longest_word() {
+        let of = |word: &str| METHODS.iter().find(|(method, _)| *method == word).map(|(_, colour)| *colour);
+        assert_eq!(Some(colour("gauss-adaptive, 4 elements")), of("gauss-adaptive"));
+        assert_eq!(Some(colour("statics")), Some(OTHER.1));
+        assert_eq!(Some(colour("gauss, euler-bernoulli")), of("gauss"));
     }
 }

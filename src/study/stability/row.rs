@@ -50,7 +50,11 @@ pub struct Row {
     pub error: Option<f64>,
     /// What the error may be.
     pub bound: Option<f64>,
-    /// Unit of both.
+    /// Size of what is measured.
+    pub size: Option<f64>,
+    /// Whether the bound is more than a hundredth of that: such a row shows little.
+    pub loose: bool,
+    /// Unit of error, bound and size.
     pub unit: &'static str,
     /// What the bound is made of, in numbers.
     pub why: String,
@@ -65,14 +69,28 @@ pub struct Row {
 }
 
 impl Row {
+    /// The parameter's value as it was chosen, so that what is swept towards a limit can be told from the limit; four digits of one
+    /// that was computed.
+    pub fn shown(&self) -> String {
+        let (value, size) = (self.value, self.value.abs());
+        let plain = (1e-3..1e5).contains(&size) || size == 0.0 || !value.is_finite();
+        let whole = if plain { format!("{value}") } else { format!("{value:e}") };
+        match whole.len() {
+            0..=16 => whole,
+            _ if plain => format!("{value:.4}"),
+            _ => format!("{value:.3e}"),
+        }
+    }
+
     /// The row in a line.
     pub fn line(&self) -> String {
-        let Row { case, variant, parameter, value, unit, .. } = self;
+        let Row { case, variant, parameter, unit, .. } = self;
         let number = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.1e}"));
         let (error, bound) = (number(self.error), number(self.bound));
         let note = if self.note.is_empty() { String::new() } else { format!(": {}", self.note) };
         let verdict = self.verdict.word();
-        format!("{case}, {variant}, {parameter} = {value:e}: error {error} {unit}, bound {bound}, {verdict}{note}")
+        let value = self.shown();
+        format!("{case}, {variant}, {parameter} = {value}: error {error} {unit}, bound {bound}, {verdict}{note}")
     }
 }
 
@@ -90,6 +108,7 @@ pub fn write<'a>(out: &mut dyn Write, rows: impl Iterator<Item = &'a Row>) -> io
         "error",
         "bound",
         "unit",
+        "size",
         "verdict",
         "beside",
         "steps",
@@ -106,11 +125,11 @@ pub fn write<'a>(out: &mut dyn Write, rows: impl Iterator<Item = &'a Row>) -> io
         let Counts { steps, newton_iterations, force_calls, tangent_calls, factorizations, solves, .. } = row.counts;
         let counts = [steps, newton_iterations, force_calls, tangent_calls, factorizations, solves];
         let head = [row.case.into(), row.variant.clone(), row.parameter.into(), format!("{:?}", row.value)];
-        let judged =
-            [number(row.error), number(row.bound), row.unit.into(), row.verdict.word().into(), number(row.beside)];
+        let measured = [number(row.error), number(row.bound), row.unit.into(), number(row.size)];
+        let judged = [row.verdict.word().into(), number(row.beside)];
         let counts = counts.map(|count| count.to_string());
         let words = [row.why.clone(), row.note.clone()];
-        csv.write_record(head.iter().chain(&judged).chain(&counts).chain(&words))?;
+        csv.write_record(head.iter().chain(&measured).chain(&judged).chain(&counts).chain(&words))?;
     }
     csv.flush()
 }

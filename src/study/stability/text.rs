@@ -3,7 +3,6 @@
 use super::row::{Row, Verdict};
 use super::{Study, Swept};
 
-/// Longest sweep of a variant that is one line for each row; others say where they hold and where they end.
 pub fn table(study: &Study) -> String {
     let mut text = String::from("Stiff and extreme cases\n");
     for Swept { case, rows } in &study.cases {
@@ -15,7 +14,11 @@ pub fn table(study: &Study) -> String {
     let count = |verdict| study.rows().filter(|row| row.verdict == verdict).count();
     let [right, warned, refused, wrong] =
         [Verdict::Right, Verdict::Warned, Verdict::Refused, Verdict::Wrong].map(count);
-    text + &format!("\n{right} right, {warned} right with warning, {refused} refused, {wrong} WRONG\n")
+    let loose = study.rows().filter(|row| row.loose).count();
+    text + &format!(
+        "\n{right} right, {warned} right with warning, {refused} refused, {wrong} WRONG\nof the right ones {loose} are marked `~`: their \
+         bound is more than a hundredth of what is measured, so that they show little\n"
+    )
 }
 
 fn line(row: &Row) -> String {
@@ -23,11 +26,12 @@ fn line(row: &Row) -> String {
     let beside = row.beside.map_or(String::new(), |value| format!("  beside {value:.1e}"));
     let note = if row.note.is_empty() { String::new() } else { format!("  {}", row.note) };
     format!(
-        "   {:44} {:>10.4e}  error {:>8}  bound {:>8}  {}{beside}{note}",
+        "   {:44} {:>14}  error {:>8}  bound {:>8}{} {}{beside}{note}",
         row.variant,
-        row.value,
+        row.shown(),
         number(row.error),
         number(row.bound),
+        if row.loose { "~" } else { " " },
         row.verdict.word()
     )
 }
