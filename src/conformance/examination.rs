@@ -1,10 +1,13 @@
 //! All that was found out about a program.
 
 use super::blame::Blame;
-use super::mistakes::{Finding, Kind, Name};
+use super::mistakes::{Finding, Name};
 use super::program::Chatter;
 use super::protocol::Hello;
 use super::verdict::{Fault, Verdict};
+
+/// What is done wrong where zeros are answered everywhere: that says nothing of a cause.
+const ZEROS: &str = "all of it missing";
 
 /// All that was found out about a program.
 #[derive(Debug)]
@@ -62,8 +65,7 @@ impl Examination {
         let place = self.findings.iter().position(|(other, _)| *other == quantity)?;
         let (earlier, rest) = self.findings.split_at(place);
         let (_, own) = rest.first()?;
-        // Zeros everywhere say nothing of a cause.
-        let shared = |name: &&Name| own.kinds.contains(name) && name.0 != Kind::Missing;
+        let shared = |name: &&Name| own.kinds.contains(name) && name.1 != ZEROS;
         let heads = earlier.iter().filter(|(first, _)| self.same_as(first).is_none());
         heads.into_iter().find_map(|(first, finding)| Some((*first, finding.kinds.iter().find(shared)?)))
     }
@@ -80,6 +82,7 @@ impl Examination {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::conformance::mistakes::Kind;
 
     #[test]
     fn the_same_mistake_is_told_with_the_first_that_shows_it() {

@@ -100,9 +100,13 @@ fn standing(cases: &[(usize, Verdict)], again: Option<&Vec<(usize, Verdict)>>) -
     if cases.iter().any(|(_, verdict)| verdict.fails()) {
         let Some(again) = again else { return Standing::Wrong { with_given: WithGiven::NotTried } };
         let first = |n: usize| cases.iter().find(|(case, _)| *case == n).map(|(_, verdict)| verdict);
+        let same = |first: Option<&Verdict>, again: &Verdict| match (first, again) {
+            (Some(Verdict::Pass { .. }), Verdict::Pass { .. }) => true,
+            (first, again) => first == Some(again),
+        };
         let with_given = if again.iter().all(|(_, verdict)| !verdict.fails()) {
             WithGiven::Right
-        } else if again.iter().all(|(n, verdict)| first(*n) == Some(verdict)) {
+        } else if again.iter().all(|(n, verdict)| same(first(*n), verdict)) {
             WithGiven::Same
         } else {
             WithGiven::Wrong
@@ -146,17 +150,18 @@ impl Examiner<'_> {
         verdicts
     }
 
-    /// The failing cases again, with the reference's values of the quantity's inputs.
+    /// The cases again, with the reference's values of the quantity's inputs. Those that were right too: two mistakes may have
+    /// cancelled there.
     fn with_given(&mut self, node: &Node, cases: &[(usize, Verdict)]) -> Vec<(usize, Verdict)> {
         let suite = self.suite;
-        let failing = cases.iter().filter(|(_, verdict)| match verdict {
-            Verdict::Wrong(_) => true,
+        let answered = cases.iter().filter(|(_, verdict)| match verdict {
+            Verdict::Pass { .. } | Verdict::Wrong(_) => true,
             // What hung or crashed would do so again.
             Verdict::Fault(fault) => matches!(fault, Fault::Error(_) | Fault::Shape(_) | Fault::NotFinite(_)),
-            _ => false,
+            Verdict::NotImplemented => false,
         });
         let mut again = Vec::new();
-        for (n, _) in failing {
+        for (n, _) in answered {
             let Some(case) = suite.cases.get(*n) else { continue };
             let Some(reference) = case.values.get(node.quantity) else { continue };
             again.push((*n, self.verdict(node.quantity, case, reference, node.given)));

@@ -20,10 +20,15 @@ pub fn equations_text(state: &Parsed) -> String {
         Parsed::Cable(_) => entry.is_of_a_cable(),
         Parsed::System(_) => entry.is_of_a_structure(),
     };
-    let (head, value): (&str, Box<dyn Fn(&str) -> Option<Vec<f64>> + '_>) = match state {
-        Parsed::Element(state) => (OF_AN_ELEMENT, Box::new(|quantity| evaluate(quantity, state))),
-        Parsed::Cable(state) => (OF_A_CABLE, Box::new(|quantity| evaluate_cable(quantity, state))),
-        Parsed::System(state) => (OF_A_STRUCTURE, Box::new(|quantity| evaluate_system(quantity, state))),
+    let head = match state {
+        Parsed::Element(_) => OF_AN_ELEMENT,
+        Parsed::Cable(_) => OF_A_CABLE,
+        Parsed::System(_) => OF_A_STRUCTURE,
+    };
+    let value = |quantity: &str| match state {
+        Parsed::Element(state) => evaluate(quantity, state),
+        Parsed::Cable(state) => evaluate_cable(quantity, state),
+        Parsed::System(state) => evaluate_system(quantity, state),
     };
     let mut text = String::from(head);
     for entry in CONTENTS.iter().filter(of_a_kind) {

@@ -1,7 +1,7 @@
 //! What kind of mistake a wrong equation shows.
 //!
 //! Known mistakes are made on purpose, each kind in a file of its own, and what they give is compared with what was answered, in the
-//! failing cases and in those that are right. Factors and signs are not guessed but found: [`factors`] asks by how much each term of an
+//! failing cases and in those that are right. Factors and signs are not guessed but found: `factors` asks by how much each term of an
 //! equation would have to be multiplied.
 
 use std::collections::{BTreeMap, BTreeSet};
