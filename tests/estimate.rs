@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 use ancf::error::Error;
 use ancf::estimate::run_estimated;
 use ancf::run::run;
-use ancf::scene::{Method, Quantity, Scene, Start, Temperature, ThermalModel};
+use ancf::scene::{Force, Method, Quantity, Scene, Start, Temperature, ThermalModel};
 use serde_json::Value;
 
 fn ancf(folder: &Path, arguments: &[&str]) -> Output {
@@ -182,6 +182,38 @@ fn a_result_without_a_digit_is_an_error() {
     let message = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.code() == Some(1) && message.contains("no digit is right"), "{message}");
     assert!(fs::read_dir(folder.path().join("out")).unwrap().next().is_none());
+}
+
+/// Corners that steps land on anyway are closer than half the longest step: it is halved until there are more steps.
+#[test]
+fn steps_between_corners_are_halved() {
+    let mut scene = pendulum(Method::GaussAdaptive, 0.1);
+    scene.time.tolerance = 1.0;
+    scene.output.interval = Some(0.1);
+    let history = vec![[0.03, 1.0], [0.06, 1.0], [0.08, 1.0]];
+    scene.forces.push(Force { point: "a".into(), force: [0.0, 1.0], history: Some(history) });
+    let mut exact = scene.clone();
+    (exact.time.tolerance, exact.time.step) = (1e-9, 1e-3);
+    let (exact, coarse) = (run(&exact).unwrap(), run_estimated(&scene, |_| ()).unwrap());
+    let [a, b] = [&exact, &coarse].map(|run| run.trajectory.rows[1].clone());
+    let (off, time) = ((a[1] - b[1]).hypot(a[2] - b[2]), coarse.accuracy.time.unwrap().value);
+    assert!(off > 1e-7 && time >= off, "{off:e} {time:e}");
+}
+
+/// An iteration that ends early leaves an error that no step shortens: Newton's tolerance is made finer, too.
+#[test]
+fn the_tolerance_of_newton_is_estimated() {
+    let with = |tolerance| {
+        let mut scene = pendulum(Method::Gauss, 2e-3);
+        scene.time.newton_tolerance = tolerance;
+        scene
+    };
+    let exact = run(&with(1e-12)).unwrap();
+    let coarse = run_estimated(&with(5e-3), |_| ()).unwrap();
+    let off = |row: (&Vec<f64>, &Vec<f64>)| (row.0[1] - row.1[1]).hypot(row.0[2] - row.1[2]);
+    let off = coarse.trajectory.rows.iter().zip(&exact.trajectory.rows).map(off).fold(0.0, f64::max);
+    let time = coarse.accuracy.time.unwrap();
+    assert!(off > 1e-6 && time.value >= off && time.method.contains("Newton's tolerance"), "{off:e} {time:?}");
 }
 
 /// Pressed far beyond its buckling load a column has many equilibria, and other meshes and load steps find others: no estimate.
