@@ -21,7 +21,7 @@ const EXPECTED: [(&str, [usize; 3]); 21] = [
     ("rotation-free", [20, 0, 0]),
     ("rotation-over-the-top", [1, 0, 0]),
     ("far-from-origin", [9, 0, 1]),
-    ("units", [20, 0, 0]),
+    ("units", [20, 0, 10]),
     ("step-size", [20, 0, 0]),
     ("long-run", [4, 0, 0]),
     ("fine-mesh-small-load", [31, 1, 0]),
