@@ -1,7 +1,8 @@
 //! `ancf stability`: stiff and extreme cases in one table, each row right, refused with a reason, or WRONG.
 //!
-//! A [`Case`] sweeps one parameter until the method breaks. Its reference is a closed form or a fixture of the oracle, its
-//! bound is derived where the case is written, in words that stand beside each row. A kept energy balance alone makes no row right.
+//! A [`Case`] sweeps one parameter until the method breaks, or says why it does not. Its reference is a closed form, a fixture, or
+//! another method with its own uncertainty; its bound is derived where the case is written, in words that stand beside each row.
+//! A kept energy balance makes no row right but its own.
 
 mod axis;
 mod bad;

@@ -112,10 +112,12 @@ fn ends(run: &Run) -> Path {
 }
 
 fn motion(scene: &Scene, element: Element, ratio: f64) -> Result<Finding> {
-    let (own, step) = halving::in_steps(scene, 2, ends)?;
+    let mut scene = scene.clone();
+    scene.time.newton_tolerance = 1e-10;
+    let (own, step) = halving::in_steps(&scene, 2, ends)?;
     let collocated = |ratio: f64| {
         let mut scene = self::scene(Method::Gauss, Constraints::Condensed, element, ratio)?;
-        (scene.time.newton_tolerance, scene.output.interval) = (1e-10, Some(1e-3));
+        (scene.time.newton_tolerance, scene.output.interval) = (1e-10, None);
         halving::in_steps(&scene, 4, ends)
     };
     let (reference, its) = collocated(ratio.min(COLLOCATED))?;
@@ -128,10 +130,10 @@ fn motion(scene: &Scene, element: Element, ratio: f64) -> Result<Finding> {
     } else {
         0.0
     };
-    // What Newton may leave of the largest force, like a load: ½ 1e-10 F/m t², F/m ≤ 3g.
-    let newton = 0.5 * 1e-10 * 3.0 * 9.8 * scene.time.end.powi(2);
+    // What Newton may leave of the largest force, like a load, in both runs: 2 · ½ 1e-10 F/m t², F/m ≤ 3g.
+    let newton = scene.time.newton_tolerance * 3.0 * 9.8 * scene.time.end.powi(2);
     // |u| ≤ 2L, l = L/4; the acceleration EA ε_mach |u|/(l m), as a load that does not change: ½ t².
-    let rounding = 0.5 * scene.time.end.powi(2) * stiff(scene) * EPS * 2.0 * ELEMENTS as f64 / scene.material.rho;
+    let rounding = 0.5 * scene.time.end.powi(2) * stiff(&scene) * EPS * 2.0 * ELEMENTS as f64 / scene.material.rho;
     Ok(Finding {
         error: samples::largest(&ends(&own), &ends(&reference)),
         bound: step.bound() + its.bound() + limit + newton + rounding,

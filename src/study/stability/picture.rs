@@ -22,7 +22,7 @@ const METHODS: [(&str, RGBColor); 7] = [
     ("explicit", RGBColor(213, 94, 0)),
     ("nystrom", RGBColor(160, 50, 110)),
 ];
-const OTHER: (&str, RGBColor) = ("statics, and cases of one method", RGBColor(90, 90, 90));
+const OTHER: (&str, RGBColor) = ("statics, one method", RGBColor(90, 90, 90));
 
 const WIDTH: u32 = 1200;
 const PANEL_HEIGHT: u32 = 250;
@@ -115,7 +115,9 @@ fn panel<'a>(area: &Area<'a>, swept: &Swept) -> DrawingResult<'a> {
     let rows = || swept.rows.iter();
     let across = Axis::of_parameter(swept.case, rows().map(|row| row.value));
     let numbers = rows().flat_map(|row| [row.error, row.bound, row.beside]).flatten();
-    let up = Axis::of_errors(format!("error, {}", swept.case.unit), numbers);
+    // What rows of another kind are of, in brackets, is in the table.
+    let unit = swept.case.unit.split(" (").next().unwrap_or_default();
+    let up = Axis::of_errors(format!("error, {unit}"), numbers);
     let Range { start, end } = up.range;
     // Room for the crosses of what is refused.
     let top = end + 0.06 * (end - start);

@@ -109,7 +109,7 @@ fn spin(method: Method, element: Element, steps: usize, turns: usize, kept: Kept
         let finer = |parts: f64| Ok(self::drift(&free_rod(method, element, step / parts, turns)?, kept)?.0);
         let (half, quarter): (f64, f64) = (finer(2.0)?, finer(4.0)?);
         let order = if matches!(method, Method::Gauss | Method::Nystrom) { 4 } else { 2 };
-        let halving = Halving::new((drift - half).abs(), (half - quarter).abs(), order);
+        let halving = Halving::new((drift - half).abs(), (half - quarter).abs(), order).above(4.0 * rounding);
         // The shortest step rounds four times as often.
         (halving.bound() + 4.0 * rounding, format!("not kept; halved steps {halving}"))
     };
@@ -180,7 +180,8 @@ fn circling() -> Result<Vec<Trial>> {
             let promised = method != Method::Gauss && omega <= 1e3;
             let expected = if promised { Expected::Result } else { Expected::ResultOrRefusal };
             let trial = trial.expect(expected);
-            trials.push(trial.fast(method == Method::EnergyMomentum && omega == 9.0));
+            let fast = method == Method::EnergyMomentum && element == Element::Ancf && omega == 9.0;
+            trials.push(trial.fast(fast));
         }
     }
     Ok(trials)
