@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::row::{Row, Verdict};
 use super::{
-    bad, collapsed, far, fine, heat, hinge, honest, inclined, joined, long, poisson, rotation, shock, singular, slender,
-    step_size, stiff, still, units,
+    bad, collapsed, far, fine, heat, hinge, honest, inclined, joined, long, poisson, rotation, shock, singular,
+    slender, step_size, stiff, still, units,
 };
 use crate::counts::Counts;
 use crate::error::{Error, Result};
