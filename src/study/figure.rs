@@ -11,8 +11,8 @@ use crate::error::{Error, Result};
 pub struct Curve<'a> {
     /// Its name in the legend.
     pub name: &'a str,
-    /// Index into the palette, so that a model has one colour in every picture.
-    pub colour: usize,
+    /// Its colour: a model has one in every picture.
+    pub colour: RGBColor,
     /// How it is drawn.
     pub stroke: Stroke,
     /// (time, value).
@@ -23,7 +23,7 @@ pub struct Curve<'a> {
 
 impl<'a> Curve<'a> {
     /// A line of values that are as exact as can be drawn.
-    pub fn line(name: &'a str, colour: usize, points: Vec<(f64, f64)>) -> Curve<'a> {
+    pub fn line(name: &'a str, colour: RGBColor, points: Vec<(f64, f64)>) -> Curve<'a> {
         Curve { name, colour, stroke: Stroke::Line, points, uncertainty: Vec::new() }
     }
 }
@@ -49,16 +49,6 @@ pub struct Panel<'a> {
     /// Its curves.
     pub curves: Vec<Curve<'a>>,
 }
-
-/// Okabe and Ito's colours, told apart by the colour-blind too.
-pub(super) const PALETTE: [RGBColor; 6] = [
-    RGBColor(0, 0, 0),
-    RGBColor(230, 159, 0),
-    RGBColor(0, 114, 178),
-    RGBColor(0, 158, 115),
-    RGBColor(150, 150, 150),
-    RGBColor(213, 94, 0),
-];
 
 pub(super) const WIDTH: u32 = 960;
 const PANEL_HEIGHT: u32 = 320;
@@ -116,7 +106,7 @@ fn draw_panel<'a>(
         .y_label_formatter(&|value| format!("{}", (value * 1e6).round() / 1e6 + 0.0))
         .draw()?;
     for curve in &panel.curves {
-        let colour = PALETTE[curve.colour % PALETTE.len()];
+        let colour = curve.colour;
         chart.draw_series(error_bars(curve).map(|ends| PathElement::new(ends, colour.stroke_width(1))))?;
         let style = match curve.stroke {
             Stroke::Faint => colour.mix(0.4).stroke_width(1),

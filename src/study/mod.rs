@@ -9,6 +9,7 @@ mod figure;
 mod locking;
 mod oracle;
 mod page;
+mod palette;
 mod pendulum;
 mod pinned;
 mod scissors;

@@ -1,11 +1,13 @@
 //! The pendulum's models over two seconds, with the change that a coarser step and mesh make.
 
+use plotters::style::RGBColor;
 use serde::Serialize;
 
 use super::continuum::{Continuum, Window};
 use super::figure::{Curve, Panel, Stroke, svg};
 use super::in_parallel;
 use super::oracle::Rigid;
+use super::palette::{BLACK, BLUE, GREEN, GREY, ORANGE, VERMILLION};
 use crate::error::{Error, Result};
 use crate::run::{Trajectory, run};
 use crate::scene::{Element, Method, Scene};
@@ -29,7 +31,7 @@ pub struct Kind {
     pub mesh: Mesh,
     /// The solid that is heated alike.
     pub solid: &'static str,
-    colour: usize,
+    colour: RGBColor,
 }
 
 /// Elements and step of a model's explicit run, and the finer mesh, to which its distance is the error in space.
@@ -47,12 +49,12 @@ const SMOOTH: Mesh = Mesh { elements: 16, step: 2e-5, other_elements: 32 };
 const SHOCK: Mesh = Mesh { elements: 32, step: 5e-6, other_elements: 64 };
 
 /// Colours of the models in all pictures.
-const FLEXIBLE: usize = 0;
-const AXIS: usize = 1;
-const PLANE: usize = 2;
-const EULER_BERNOULLI: usize = 3;
-const RIGID: usize = 4;
-const SOLID: usize = 5;
+const FLEXIBLE: RGBColor = BLACK;
+const AXIS: RGBColor = ORANGE;
+const PLANE: RGBColor = BLUE;
+const EULER_BERNOULLI: RGBColor = GREEN;
+const RIGID: RGBColor = GREY;
+const SOLID: RGBColor = VERMILLION;
 
 /// All models. "1D" with the Euler–Bernoulli element is the paper's competitor, with its own element the paper's own model
 /// heated along the axis only.
@@ -73,7 +75,7 @@ const fn kind(
     scene: &'static str,
     mesh: Mesh,
     solid: &'static str,
-    colour: usize,
+    colour: RGBColor,
 ) -> Kind {
     Kind { id, name, scene, element: Element::Ancf, mesh, solid, colour }
 }
@@ -267,7 +269,7 @@ pub fn pictures(models: &[Model], rigid: &Rigid, continuum: &Continuum) -> Resul
 
 const COMPONENTS: [&str; 2] = ["x", "y"];
 
-fn curve<'a>(name: &'a str, colour: usize, tip: &Tip, component: usize) -> Curve<'a> {
+fn curve<'a>(name: &'a str, colour: RGBColor, tip: &Tip, component: usize) -> Curve<'a> {
     Curve::line(name, colour, tip.t.iter().zip(&tip.r).map(|(t, r)| (*t, r[component])).collect())
 }
 

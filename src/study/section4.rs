@@ -1,9 +1,11 @@
 //! The pictures of Section 4 and the table of a4.
 
+use plotters::style::RGBColor;
 use serde::Serialize;
 
 use super::claims::WINDOW;
 use super::figure::{Curve, Panel, Stroke, svg};
+use super::palette::{BLACK, BLUE, ORANGE};
 use super::scissors::{Family, Motion, RODS, STEP, Structure};
 use super::signal::Signal;
 use super::snapshot::{self, Name, Snapshot};
@@ -15,8 +17,8 @@ use crate::scene::Scene;
 pub const TIMES: [f64; 6] = [0.5, 1.0, 1.5, 2.0, 2.5, 3.0];
 
 /// Colours of the models, the same as in the pendulum's pictures.
-const FLEXIBLE: usize = 0;
-const HEATED: usize = 2;
+const FLEXIBLE: RGBColor = BLACK;
+const HEATED: RGBColor = BLUE;
 
 /// a4 at one of the table's times, m and s.
 #[derive(Serialize)]
@@ -65,7 +67,7 @@ pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
         let less = |motion: &Motion| motion.deflection(rod).less(&flexible.deflection(rod));
         Panel {
             quantity: format!("change of deflection of {rod}, m"),
-            curves: vec![curve("1D heat", 1, &less(axis)), curve("2D heat", HEATED, &less(heated))],
+            curves: vec![curve("1D heat", ORANGE, &less(axis)), curve("2D heat", HEATED, &less(heated))],
         }
     });
     Ok(vec![

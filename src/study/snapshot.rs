@@ -2,7 +2,8 @@
 
 use plotters::prelude::*;
 
-use super::figure::{DrawingResult, PALETTE, TITLE_HEIGHT, WIDTH, extent};
+use super::figure::{DrawingResult, TITLE_HEIGHT, WIDTH, extent};
+use super::palette::{BLUE, ORANGE};
 use crate::error::{Error, Result};
 
 /// A structure at one instant.
@@ -65,7 +66,7 @@ fn draw<'a>(title: &str, snapshots: &[Snapshot], rows: usize, backend: SVGBacken
             .build_cartesian_2d(x.clone(), y.clone())?;
         chart.configure_mesh().y_desc("m").label_style(("sans-serif", 13)).light_line_style(WHITE).draw()?;
         for (n, rod) in snapshot.rods.iter().enumerate() {
-            let style = PALETTE[1 + n % 2].stroke_width(2);
+            let style = [ORANGE, BLUE][n % 2].stroke_width(2);
             chart.draw_series(LineSeries::new(rod.iter().copied(), style).point_size(3))?;
         }
         for Name { text, at, above } in &snapshot.names {

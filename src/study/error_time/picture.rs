@@ -12,19 +12,9 @@ use super::point::{Point, Status};
 use super::technique::Technique;
 use crate::error::{Error, Result};
 use crate::scene::Method;
+use crate::study::palette::{BLACK, GREY, of_method};
 
-/// Okabe and Ito's colours, as in the other pictures, with two more of theirs.
-const PALETTE: [RGBColor; 8] = [
-    RGBColor(0, 0, 0),
-    RGBColor(230, 159, 0),
-    RGBColor(0, 114, 178),
-    RGBColor(0, 158, 115),
-    RGBColor(150, 150, 150),
-    RGBColor(213, 94, 0),
-    RGBColor(204, 121, 167),
-    RGBColor(86, 180, 233),
-];
-const PEER: RGBColor = PALETTE[0];
+const PEER: RGBColor = BLACK;
 const AT_LIMIT: RGBColor = RGBColor(185, 185, 185);
 
 /// How much is left of a colour of points that were timed once.
@@ -101,7 +91,7 @@ fn draw_legend<'a>(area: &Area<'a>, groups: &[Group]) -> DrawingResult<'a> {
     let used =
         |method: Method| groups.iter().any(|group| group.points.iter().any(|point| point.method == method.word()));
     for technique in Technique::of_each_method().filter(|technique| used(technique.method)) {
-        mark(area, (x, LINES[0]), Shape::Disc, PALETTE[technique.colour % PALETTE.len()].filled())?;
+        mark(area, (x, LINES[0]), Shape::Disc, of_method(technique.method).filled())?;
         label(&mut x, LINES[0], technique.method.word())?;
     }
     let peer = groups.iter().flat_map(Group::own_peers).next();
@@ -110,15 +100,15 @@ fn draw_legend<'a>(area: &Area<'a>, groups: &[Group]) -> DrawingResult<'a> {
         label(&mut x, LINES[0], &peer.program)?;
     }
     let mut x = 30;
-    mark(area, (x, LINES[1]), Shape::Disc, PALETTE[4].filled())?;
+    mark(area, (x, LINES[1]), Shape::Disc, GREY.filled())?;
     label(&mut x, LINES[1], "the paper's element")?;
-    mark(area, (x, LINES[1]), Shape::Triangle, PALETTE[4].filled())?;
+    mark(area, (x, LINES[1]), Shape::Triangle, GREY.filled())?;
     label(&mut x, LINES[1], "Euler–Bernoulli")?;
     mark(area, (x, LINES[1]), Shape::Disc, AT_LIMIT.stroke_width(1))?;
     label(&mut x, LINES[1], "at the reference's limit")?;
-    area.draw(&Cross::new((x, LINES[1]), 4, PALETTE[4].stroke_width(2)))?;
+    area.draw(&Cross::new((x, LINES[1]), 4, GREY.stroke_width(2)))?;
     label(&mut x, LINES[1], "failed (at the time it took)")?;
-    mark(area, (x, LINES[1]), Shape::Disc, PALETTE[4].mix(PALE).filled())?;
+    mark(area, (x, LINES[1]), Shape::Disc, GREY.mix(PALE).filled())?;
     label(&mut x, LINES[1], "pale: outclassed, timed once")?;
     let mut x = 30;
     let end = |x: i32| [(x - 8, LINES[2]), (x + 10, LINES[2])];
@@ -136,7 +126,7 @@ fn draw_legend<'a>(area: &Area<'a>, groups: &[Group]) -> DrawingResult<'a> {
 }
 
 fn line(second: bool) -> ShapeStyle {
-    if second { PALETTE[0].mix(0.35).stroke_width(2) } else { PALETTE[0].stroke_width(2) }
+    if second { BLACK.mix(0.35).stroke_width(2) } else { BLACK.stroke_width(2) }
 }
 
 /// A mark at a pixel.
@@ -223,7 +213,7 @@ fn front_line(points: &[&Point]) -> Vec<(f64, f64)> {
 fn colour(point: &Point, shape: Shape) -> RGBColor {
     let technique = Technique::of_each_method().find(|technique| technique.method.word() == point.method);
     match technique {
-        Some(technique) if shape != Shape::Square => PALETTE[technique.colour % PALETTE.len()],
+        Some(technique) if shape != Shape::Square => of_method(technique.method),
         _ => PEER,
     }
 }

@@ -26,13 +26,11 @@ pub struct Technique {
     pub explicit: bool,
     /// Its order.
     pub order: i32,
-    /// Its colour in pictures.
-    pub colour: usize,
 }
 
 /// A method of Newton's tolerance `newton_tolerance`.
-const fn implicit(method: Method, newton_tolerance: f64, order: i32, colour: usize) -> Technique {
-    Technique { method, newton_tolerance, drive: Drive::Steps, explicit: false, order, colour }
+const fn implicit(method: Method, newton_tolerance: f64, order: i32) -> Technique {
+    Technique { method, newton_tolerance, drive: Drive::Steps, explicit: false, order }
 }
 
 /// Newton's tolerance of methods that have no iteration: any.
@@ -41,15 +39,15 @@ const NO_NEWTON: f64 = 1e-10;
 /// All methods. A new one is a line here, and maybe a witness of [`CASES`](super::case::CASES). Generalized-α comes with a tolerance
 /// of Newton's iteration that is good for coarse results and with one for fine ones.
 pub const TECHNIQUES: [Technique; 9] = [
-    implicit(Method::GeneralizedAlpha, 1e-3, 2, 1),
-    implicit(Method::GeneralizedAlpha, 1e-5, 2, 1),
-    implicit(Method::EnergyMomentum, 1e-4, 2, 2),
-    implicit(Method::Gauss, 1e-5, 4, 4),
-    Technique { drive: Drive::Tolerances(1e-2), ..implicit(Method::GaussAdaptive, 1e-5, 4, 6) },
-    Technique { explicit: true, ..implicit(Method::Explicit, NO_NEWTON, 2, 5) },
-    Technique { explicit: true, ..implicit(Method::Nystrom, NO_NEWTON, 4, 7) },
-    Technique { explicit: true, drive: Drive::Tolerances(1e-3), ..implicit(Method::NystromAdaptive, NO_NEWTON, 4, 8) },
-    Technique { drive: Drive::LoadSteps, ..implicit(Method::Static, 1e-10, 0, 3) },
+    implicit(Method::GeneralizedAlpha, 1e-3, 2),
+    implicit(Method::GeneralizedAlpha, 1e-5, 2),
+    implicit(Method::EnergyMomentum, 1e-4, 2),
+    implicit(Method::Gauss, 1e-5, 4),
+    Technique { drive: Drive::Tolerances(1e-2), ..implicit(Method::GaussAdaptive, 1e-5, 4) },
+    Technique { explicit: true, ..implicit(Method::Explicit, NO_NEWTON, 2) },
+    Technique { explicit: true, ..implicit(Method::Nystrom, NO_NEWTON, 4) },
+    Technique { explicit: true, drive: Drive::Tolerances(1e-3), ..implicit(Method::NystromAdaptive, NO_NEWTON, 4) },
+    Technique { drive: Drive::LoadSteps, ..implicit(Method::Static, 1e-10, 0) },
 ];
 
 impl Technique {

@@ -52,7 +52,9 @@ impl Axis {
 
     /// That of errors and bounds.
     pub fn of_errors(title: String, values: impl Iterator<Item = f64>) -> Axis {
-        Axis::powers(title, values.map(|value| value.max(LEAST)), Kind::Size)
+        // The larger of a NaN and something is something.
+        let drawn = values.filter(|value| !value.is_nan()).map(|value| value.max(LEAST));
+        Axis::powers(title, drawn, Kind::Size)
     }
 
     /// Whole decades around what can be drawn.

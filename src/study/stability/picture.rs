@@ -10,19 +10,22 @@ use super::Swept;
 use super::axis::Axis;
 use super::row::{Row, Verdict};
 use crate::error::{Error, Result};
+use crate::scene::Method;
+use crate::study::palette::{GREEN, GREY, of_method};
 
-/// What a colour stands for: the method whose word is in a variant's name, in Okabe and Ito's colours as in the other pictures. An
-/// adaptive method's word holds that of the other, and comes first.
-const METHODS: [(&str, RGBColor); 7] = [
-    ("gauss-adaptive", RGBColor(86, 180, 233)),
-    ("nystrom-adaptive", RGBColor(204, 121, 167)),
-    ("energy-momentum", RGBColor(0, 114, 178)),
-    ("generalized-alpha", RGBColor(230, 159, 0)),
-    ("gauss", RGBColor(0, 158, 115)),
-    ("explicit", RGBColor(213, 94, 0)),
-    ("nystrom", RGBColor(160, 50, 110)),
+/// Methods whose words may be in a variant's name. An adaptive method's word holds that of the other, and comes first.
+const METHODS: [Method; 7] = [
+    Method::GaussAdaptive,
+    Method::NystromAdaptive,
+    Method::EnergyMomentum,
+    Method::GeneralizedAlpha,
+    Method::Gauss,
+    Method::Explicit,
+    Method::Nystrom,
 ];
-const OTHER: (&str, RGBColor) = ("statics, one method", RGBColor(90, 90, 90));
+
+/// Of what no method is named.
+const OTHER: RGBColor = GREEN;
 
 const WIDTH: u32 = 1200;
 const PANEL_HEIGHT: u32 = 250;
@@ -63,7 +66,7 @@ fn draw<'a>(title: &str, cases: &[&Swept], backend: SVGBackend<'a>) -> DrawingRe
 /// The marks in one line, the colours in the next.
 fn legend<'a>(area: &Area<'a>) -> DrawingResult<'a> {
     let text = |words: &str, x: i32, y: i32| Text::new(words.to_string(), (x, y - 6), FONT);
-    let grey = OTHER.1;
+    let grey = GREY;
     area.draw(&Circle::new((20, 10), 3, grey.filled()))?;
     area.draw(&text("error", 30, 10))?;
     area.draw(&PathElement::new([(95, 10), (125, 10)], grey.mix(0.5).stroke_width(2)))?;
@@ -74,7 +77,9 @@ fn legend<'a>(area: &Area<'a>) -> DrawingResult<'a> {
     area.draw(&text("beside it, not judged: the total form of slenderness", 410, 10))?;
     area.draw(&Circle::new((720, 10), 4, RED.filled()))?;
     area.draw(&text("WRONG", 730, 10))?;
-    for (number, (name, colour)) in METHODS.iter().chain([&OTHER]).enumerate() {
+    let methods = METHODS.map(|method| (method.word(), of_method(method)));
+    let other = ("statics, and cases of one method", OTHER);
+    for (number, (name, colour)) in methods.into_iter().chain([other]).enumerate() {
         let x = 20 + 145 * number as i32;
         area.draw(&Circle::new((x, 32), 4, colour.filled()))?;
         area.draw(&text(name, x + 10, 32))?;
@@ -108,7 +113,7 @@ impl Ranged for Scale {
 
 /// The colour of a variant.
 fn colour(variant: &str) -> RGBColor {
-    METHODS.iter().find(|(method, _)| variant.contains(method)).unwrap_or(&OTHER).1
+    METHODS.into_iter().find(|method| variant.contains(method.word())).map_or(OTHER, of_method)
 }
 
 fn panel<'a>(area: &Area<'a>, swept: &Swept) -> DrawingResult<'a> {
@@ -166,9 +171,8 @@ mod tests {
 
     #[test]
     fn a_colour_is_that_of_the_longest_word() {
-        let of = |word: &str| METHODS.iter().find(|(method, _)| *method == word).map(|(_, colour)| *colour);
-        assert_eq!(Some(colour("gauss-adaptive, 4 elements")), of("gauss-adaptive"));
-        assert_eq!(Some(colour("statics")), Some(OTHER.1));
-        assert_eq!(Some(colour("gauss, euler-bernoulli")), of("gauss"));
+        assert_eq!(colour("gauss-adaptive, 4 elements"), of_method(Method::GaussAdaptive));
+        assert_eq!(colour("statics"), OTHER);
+        assert_eq!(colour("gauss, euler-bernoulli"), of_method(Method::Gauss));
     }
 }
