@@ -18,6 +18,7 @@ mod components;
 mod constraints;
 mod equal;
 mod frequency;
+mod load;
 mod mass;
 mod matrix;
 mod mesh;
@@ -32,13 +33,12 @@ mod unknowns;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::{Complex, DVector, Vector2};
+use nalgebra::DVector;
 
 use self::components::Components;
-use self::mesh::ElementMatrix;
 use self::rod::Rod;
 use crate::kernel::{Ends, ThermalStrain};
-use crate::linear::{Bordered, Chain, Chains, Filling, Layout, Number, SingularAt};
+use crate::linear::Layout;
 use crate::plan::Plan;
 use crate::scene::Force;
 
@@ -115,21 +115,10 @@ pub struct Structure {
 /// Both ends of a step, with the thermal strains of the rods.
 pub type StepEnds<'a> = Ends<'a, DVector<f64>, &'a [ThermalStrain]>;
 
-/// Entries of the largest element's matrix.
-const MOST_ENTRIES: usize = 14 * 14;
-
 impl Structure {
     /// Number of unknowns, multipliers among them.
     pub fn size(&self) -> usize {
         self.kinds.len()
-    }
-
-    /// Memory that one matrix with its factors takes, bytes.
-    pub fn matrix_bytes(&self) -> usize {
-        match self.factors() {
-            Factors::Chains(chains) => chains.bytes(),
-            Factors::Bordered(_) => self.layout.bytes(),
-        }
     }
 
     /// Displacement at t = 0: zero, or the stress-free one of a relaxed start.
@@ -147,12 +136,7 @@ impl Structure {
         self.times.get(1..self.times.len().saturating_sub(1)).unwrap_or_default()
     }
 
-    /// Mass matrix of the unknowns.
-    pub fn mass(&self) -> Bordered {
-        self.assemble_matrix(|_| ElementMatrix::Mass)
-    }
-
-    /// Its product with an acceleration (or a velocity), without the matrix.
+    /// The mass matrix times an acceleration (or a velocity), without the matrix.
     pub fn inertia(&self, a: &DVector<f64>) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
         self.inertia_into(a, &mut sum);
@@ -163,60 +147,6 @@ impl Structure {
     pub fn inertia_into(&self, a: &DVector<f64>, sum: &mut DVector<f64>) {
         sum.fill(0.0);
         self.rods.iter().for_each(|rod| rod.mesh.add_inertia(a, sum));
-    }
-
-    /// Generalized force of gravity, constant.
-    pub fn gravity(&self) -> &DVector<f64> {
-        &self.gravity
-    }
-
-    /// Adds `factor` · the generalized force of the point forces at time `t`.
-    pub fn add_point_forces(&self, t: f64, factor: f64, sum: &mut DVector<f64>) {
-        for (force, place) in self.forces.iter().zip(&self.force_places) {
-            place.add(&(factor * Vector2::from(force.at(t))), sum);
-        }
-    }
-
-    /// All external forces at time `t`, in statics at the load factor `t`.
-    pub fn load(&self, t: f64) -> DVector<f64> {
-        let mut sum = DVector::zeros(self.size());
-        self.load_into(t, &mut sum);
-        sum
-    }
-
-    /// The same into `sum`.
-    pub fn load_into(&self, t: f64, sum: &mut DVector<f64>) {
-        if self.plan.weight {
-            sum.copy_from(&self.gravity);
-        } else {
-            sum.fill(0.0);
-        }
-        self.add_point_forces(t, 1.0, sum);
-        if self.grows {
-            *sum *= t;
-        }
-    }
-
-    /// Thermal strain (along, across) of each rod at time `t`, in statics at the load factor `t`.
-    pub fn thermal_strains(&self, t: f64) -> Vec<ThermalStrain> {
-        self.rods.iter().map(|rod| self.thermal_strain(rod, t)).collect()
-    }
-
-    /// The same into `thermal`, which has a place for each rod and was given by [`thermal_strains`](Structure::thermal_strains).
-    pub fn thermal_strains_into(&self, t: f64, thermal: &mut [ThermalStrain]) {
-        if !self.plan.heat {
-            return;
-        }
-        for (rod, thermal) in self.rods.iter().zip(thermal) {
-            *thermal = self.thermal_strain(rod, t);
-        }
-    }
-
-    fn thermal_strain(&self, rod: &Rod, t: f64) -> ThermalStrain {
-        if !self.plan.heat {
-            return [0.0; 2];
-        }
-        if self.grows { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) }
     }
 
     /// A force vector's largest entry, N, moments taken over their own length (h or l); constraint rows are no forces.
@@ -255,83 +185,6 @@ impl Structure {
         for (rod, eps_t) in self.rods.iter().zip(thermal) {
             rod.mesh.add_force(u, *eps_t, sum);
         }
-    }
-
-    /// Tangent ∂Q/∂u.
-    pub fn tangent(&self, u: &DVector<f64>, thermal: &[ThermalStrain]) -> Bordered {
-        self.assemble_matrix(|n| ElementMatrix::Tangent { u, eps_t: thermal[n], stiffness: 1.0, mass: 0.0 })
-    }
-
-    /// In how many independent directions the equilibrium at the load factor `t` is unstable: negative eigenvalues of the tangent.
-    /// `None` where elimination does not tell.
-    pub fn unstable_directions(&self, u: &DVector<f64>, t: f64) -> Option<usize> {
-        self.tangent(u, &self.thermal_strains(t)).negative_eigenvalues()
-    }
-
-    /// Memory for factors of its matrices.
-    pub fn factors(&self) -> Factors {
-        if self.rows.is_empty() {
-            let chains = self.rods.iter().map(|rod| rod.mesh.chain(self.layout.border)).collect();
-            Factors::Chains(self.chains(chains))
-        } else {
-            Factors::Bordered(None)
-        }
-    }
-
-    /// Memory for the factors of complex matrices; in the condensed form only.
-    pub fn complex_factors(&self) -> Chains<Complex<f64>> {
-        self.chains(self.rods.iter().map(|rod| rod.mesh.complex_chain(self.layout.border)).collect())
-    }
-
-    fn chains<F: Number>(&self, chains: Vec<Box<dyn Chain<F>>>) -> Chains<F> {
-        Chains::new(chains, self.layout.border, self.layout.border_size, self.layout.border_band)
-    }
-
-    /// LU factors of a matrix.
-    ///
-    /// # Errors
-    /// The unknown with a vanishing pivot; [`place`](Structure::place) says where that is.
-    pub fn factorize(&self, matrix: Matrix, factors: &mut Factors) -> Result<(), SingularAt> {
-        match factors {
-            Factors::Chains(chains) => chains.factorize(|rod, element, columns| {
-                self.rods[rod].mesh.matrix(element, &matrix.of_rod(rod), columns);
-            }),
-            // Where coordinates stand beside multipliers, rows and columns of all blocks have to be scaled first.
-            Factors::Bordered(factors) => {
-                let mut sum = self.assemble_matrix(|rod| matrix.of_rod(rod));
-                self.add_constraints(matrix.constraint_factor(), &mut sum);
-                *factors = Some(sum.equilibrated_lu()?);
-                Ok(())
-            }
-        }
-    }
-
-    /// LU factors of M + `stiffness` · tangent for a complex `stiffness`, in the condensed form.
-    ///
-    /// # Errors
-    /// Those of [`factorize`](Structure::factorize).
-    pub fn factorize_complex(
-        &self,
-        u: &DVector<f64>,
-        thermal: &[ThermalStrain],
-        stiffness: Complex<f64>,
-        factors: &mut Chains<Complex<f64>>,
-    ) -> Result<(), SingularAt> {
-        factors.factorize(|rod, element, columns| {
-            let mesh = &self.rods[rod].mesh;
-            let mut real = [0.0; MOST_ENTRIES];
-            let real = &mut real[..columns.len()];
-            let tangent = ElementMatrix::Tangent { u, eps_t: thermal[rod], stiffness: 1.0, mass: 0.0 };
-            mesh.matrix(element, &tangent, real);
-            columns.iter_mut().zip(&*real).for_each(|(entry, real)| *entry = stiffness * *real);
-            mesh.matrix(element, &ElementMatrix::Mass, real);
-            columns.iter_mut().zip(&*real).for_each(|(entry, real)| *entry += *real);
-        })
-    }
-
-    /// Adds the matrices of a rod's elements to its block.
-    fn fill(&self, n: usize, matrix: &ElementMatrix, block: &mut Filling) {
-        self.rods[n].mesh.add_matrix(matrix, block);
     }
 
     /// Step-averaged elastic forces of the energy–momentum rule into `sum`.
@@ -374,15 +227,6 @@ impl Structure {
             Some(name) => format!("the point `{name}`"),
             None => rod().map_or("no unknown".into(), |rod| format!("the rod `{}`", rod.name)),
         }
-    }
-
-    /// Sum of the elements' matrices, asked for by the number of a rod.
-    fn assemble_matrix<'a>(&self, matrix: impl Fn(usize) -> ElementMatrix<'a>) -> Bordered {
-        let mut sum = Bordered::zeros(&self.layout);
-        for n in 0..self.rods.len() {
-            self.fill(n, &matrix(n), &mut sum.block(n));
-        }
-        sum
     }
 }
 

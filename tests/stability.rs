@@ -8,7 +8,7 @@ use ancf::study::stability::row::{Row, Verdict};
 use ancf::study::stability::{Reach, Study, measure, names};
 
 /// Rows of the fast subset that are right, right with warning, and refused.
-const EXPECTED: [(&str, [usize; 3]); 21] = [
+const EXPECTED: [(&str, [usize; 3]); 22] = [
     ("stiff-limit", [1, 0, 0]),
     ("loads-that-move-nothing", [9, 3, 5]),
     ("slenderness", [32, 5, 11]),

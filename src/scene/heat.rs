@@ -1,11 +1,36 @@
-//! What temperature has to fulfil: histories in the order of time, within the strain measure, and a start that fits.
+//! Temperature, and what it has to fulfil: histories in the order of time, within the strain measure, and a start that fits.
 
 use std::collections::BTreeSet;
 use std::fmt::Display;
 
-use super::loads::check_history;
+use serde::{Deserialize, Serialize};
+
+use super::history::{check_history, interpolate};
 use super::validate::{Check, require};
-use super::{Element, Rod, Scene, Start, Temperature};
+use super::{Element, Rod, Scene, Start, ThermalModel};
+
+/// The temperature change ΔT of rods over time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Temperature {
+    /// Which strains heat causes.
+    #[serde(default)]
+    pub model: ThermalModel,
+    /// How the heat is there at t = 0.
+    #[serde(default)]
+    pub start: Start,
+    /// Pairs [t, ΔT] in s and K, in the order of time: linear between them, constant before the first and after the
+    /// last. May be empty if the model is [`ThermalModel::None`].
+    #[serde(default)]
+    pub history: Vec<[f64; 2]>,
+}
+
+impl Temperature {
+    /// ΔT at time `t` in s, K; 0 if the history is empty. The model is not asked: see [`Scene::heat`].
+    pub fn at(&self, t: f64) -> f64 {
+        interpolate(&self.history, t).unwrap_or(0.0)
+    }
+}
 
 /// The temperatures of the scene and of its rods.
 pub(super) fn check_heat(scene: &Scene) -> Check {

@@ -1,10 +1,33 @@
-//! What gravity and forces have to fulfil.
+//! Forces, and what they and gravity have to fulfil.
 
-use std::fmt::Display;
+use serde::{Deserialize, Serialize};
 
-use super::Scene;
+use super::history::{check_history, interpolate};
 use super::topology::check_node;
 use super::validate::{Check, finite, require};
+use super::{Scene, shape};
+
+/// A force at a point.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Force {
+    /// Name of the point.
+    pub point: String,
+    /// The force [F_x, F_y], N; it keeps its direction.
+    pub force: [f64; 2],
+    /// Pairs [t, factor], in the order of time: the factor is linear between them, constant before the first and after
+    /// the last. `None`: always 1.
+    #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
+    pub history: Option<Vec<[f64; 2]>>,
+}
+
+impl Force {
+    /// The force [F_x, F_y] at time `t` in s, N.
+    pub fn at(&self, t: f64) -> [f64; 2] {
+        let factor = self.history.as_ref().and_then(|history| interpolate(history, t)).unwrap_or(1.0);
+        self.force.map(|component| factor * component)
+    }
+}
 
 /// Gravity and the forces at points.
 pub(super) fn check_loads(scene: &Scene) -> Check {
@@ -20,21 +43,6 @@ pub(super) fn check_loads(scene: &Scene) -> Check {
             let key = format_args!("forces[{i}].history");
             require(!history.is_empty(), key, "[]", "at least one pair [t, factor]; without the key it is always 1")?;
             check_history(key, history)?;
-        }
-    }
-    Ok(())
-}
-
-/// Refuses a history of pairs [t, value] that is no function of time.
-pub(super) fn check_history(key: impl Display, history: &[[f64; 2]]) -> Check {
-    for (i, &[time, value]) in history.iter().enumerate() {
-        finite(format_args!("{key}[{i}][0]"), time)?;
-        finite(format_args!("{key}[{i}][1]"), value)?;
-    }
-    for (i, pair) in history.windows(2).enumerate() {
-        if let [[before, _], [time, _]] = pair {
-            let allowed = format_args!("a time after the {before:?} s before it");
-            require(time > before, format_args!("{key}[{}][0]", i + 1), format_args!("{time:?}"), allowed)?;
         }
     }
     Ok(())

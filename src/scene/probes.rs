@@ -1,8 +1,33 @@
-//! What probes have to fulfil: a point or a place on a rod, and quantities that are there.
+//! Probes, and what they have to fulfil: a point or a place on a rod, and quantities that are there.
+
+use serde::{Deserialize, Serialize};
 
 use super::topology::{check_list, check_name, check_node, check_rod, unique};
 use super::validate::{Check, require};
-use super::{Probe, Quantity, Scene};
+use super::{Quantity, Scene, shape};
+
+/// Quantities recorded at a point, or along a rod.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Probe {
+    /// Name that heads the columns.
+    pub name: String,
+    /// Name of the point; `None` for a place on a rod.
+    #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
+    pub point: Option<String>,
+    /// Name of a rod: with a point, the rod on which the reaction acts; without, the rod that is looked at.
+    #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
+    pub rod: Option<String>,
+    /// Place on the rod as a fraction of its length, 0 … 1.
+    #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
+    pub at: Option<f64>,
+    /// What is recorded, in the order of the columns.
+    pub of: Vec<Quantity>,
+}
+
+/// Columns of `trajectory.csv` that hold energies, J.
+pub const ENERGY_COLUMNS: [&str; 5] =
+    ["energy.kinetic", "energy.strain", "energy.potential", "energy.input", "energy.balance"];
 
 /// Names, places and quantities of the probes.
 pub(super) fn check_probes(scene: &Scene) -> Check {

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
+use super::time;
 use super::topology::MOST_ELEMENTS;
 use super::validate::require;
 use super::{
@@ -88,10 +89,10 @@ impl Scissors {
                 end: 3.0,
                 step: 2.5e-4,
                 method: Method::EnergyMomentum,
-                rho_inf: super::default_rho_inf(),
-                newton_tolerance: super::default_newton_tolerance(),
-                tolerance: super::default_tolerance(),
-                load_steps: super::default_load_steps(),
+                rho_inf: time::default_rho_inf(),
+                newton_tolerance: time::default_newton_tolerance(),
+                tolerance: time::default_tolerance(),
+                load_steps: time::default_load_steps(),
             },
             output: Output { interval: Some(0.01), energy: true },
             probes: self.probes(),

@@ -1,10 +1,30 @@
-//! What supports have to fulfil: points and rods that are there, and nothing held twice.
+//! Supports, and what they have to fulfil: points and rods that are there, and nothing held twice.
 
 use std::collections::BTreeMap;
 
+use serde::{Deserialize, Serialize};
+
 use super::topology::{check_list, check_node, check_rod};
 use super::validate::{Check, finite, require};
-use super::{Direction, Scene, Support};
+use super::{Direction, Scene, shape};
+
+/// A point held in place, at least in part: `fix`, or `slide`, and with either or without a `clamp`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Support {
+    /// Name of the point.
+    pub point: String,
+    /// The directions in which it cannot move.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub fix: Vec<Direction>,
+    /// The only direction in which it can move, of any length.
+    #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
+    pub slide: Option<[f64; 2]>,
+    /// Name of a rod whose section keeps its direction there: r_y · t₀ = 0 with the rod's initial direction t₀, or r_x · n₀ = 0
+    /// with the one across it where the element has no r_y.
+    #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
+    pub clamp: Option<String>,
+}
 
 /// Sine of the angle between two directions up to which they count as parallel.
 const PARALLEL: f64 = 1e-9;

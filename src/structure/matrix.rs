@@ -1,11 +1,11 @@
 //! The matrices that methods ask a structure for, and their factors.
 
-use nalgebra::DVector;
+use nalgebra::{Complex, DVector};
 
 use super::mesh::ElementMatrix;
-use super::{StepEnds, of_rod};
+use super::{StepEnds, Structure, of_rod};
 use crate::kernel::ThermalStrain;
-use crate::linear::{BorderedLu, Chains};
+use crate::linear::{Bordered, BorderedLu, Chain, Chains, Filling, Number, SingularAt};
 
 /// A matrix that is factorised.
 #[derive(Debug)]
@@ -31,7 +31,7 @@ pub enum Matrix<'a> {
         /// Thermal strains of the rods.
         thermal: &'a [ThermalStrain],
     },
-    /// The derivative of [`mean_force`](super::Structure::mean_force) with respect to `u_1`, + `mass` · M.
+    /// The derivative of [`mean_force`](Structure::mean_force) with respect to `u_1`, + `mass` · M.
     Mean {
         /// The step.
         ends: StepEnds<'a>,
@@ -74,5 +74,109 @@ impl Factors {
             Factors::Bordered(Some(factors)) => factors.solve(b),
             Factors::Bordered(None) => b.fill(f64::NAN),
         }
+    }
+}
+
+/// Entries of the largest element's matrix.
+const MOST_ENTRIES: usize = 14 * 14;
+
+impl Structure {
+    /// Memory that one matrix with its factors takes, bytes.
+    pub fn matrix_bytes(&self) -> usize {
+        match self.factors() {
+            Factors::Chains(chains) => chains.bytes(),
+            Factors::Bordered(_) => self.layout.bytes(),
+        }
+    }
+
+    /// Mass matrix of the unknowns.
+    pub fn mass(&self) -> Bordered {
+        self.assemble_matrix(|_| ElementMatrix::Mass)
+    }
+
+    /// Tangent ∂Q/∂u.
+    pub fn tangent(&self, u: &DVector<f64>, thermal: &[ThermalStrain]) -> Bordered {
+        self.assemble_matrix(|n| ElementMatrix::Tangent { u, eps_t: thermal[n], stiffness: 1.0, mass: 0.0 })
+    }
+
+    /// In how many independent directions the equilibrium at the load factor `t` is unstable: negative eigenvalues of the tangent.
+    /// `None` where elimination does not tell.
+    pub fn unstable_directions(&self, u: &DVector<f64>, t: f64) -> Option<usize> {
+        self.tangent(u, &self.thermal_strains(t)).negative_eigenvalues()
+    }
+
+    /// Memory for factors of its matrices.
+    pub fn factors(&self) -> Factors {
+        if self.rows.is_empty() {
+            let chains = self.rods.iter().map(|rod| rod.mesh.chain(self.layout.border)).collect();
+            Factors::Chains(self.chains(chains))
+        } else {
+            Factors::Bordered(None)
+        }
+    }
+
+    /// Memory for the factors of complex matrices; in the condensed form only.
+    pub fn complex_factors(&self) -> Chains<Complex<f64>> {
+        self.chains(self.rods.iter().map(|rod| rod.mesh.complex_chain(self.layout.border)).collect())
+    }
+
+    fn chains<F: Number>(&self, chains: Vec<Box<dyn Chain<F>>>) -> Chains<F> {
+        Chains::new(chains, self.layout.border, self.layout.border_size, self.layout.border_band)
+    }
+
+    /// LU factors of a matrix.
+    ///
+    /// # Errors
+    /// The unknown with a vanishing pivot; [`place`](Structure::place) says where that is.
+    pub fn factorize(&self, matrix: Matrix, factors: &mut Factors) -> Result<(), SingularAt> {
+        match factors {
+            Factors::Chains(chains) => chains.factorize(|rod, element, columns| {
+                self.rods[rod].mesh.matrix(element, &matrix.of_rod(rod), columns);
+            }),
+            // Where coordinates stand beside multipliers, rows and columns of all blocks have to be scaled first.
+            Factors::Bordered(factors) => {
+                let mut sum = self.assemble_matrix(|rod| matrix.of_rod(rod));
+                self.add_constraints(matrix.constraint_factor(), &mut sum);
+                *factors = Some(sum.equilibrated_lu()?);
+                Ok(())
+            }
+        }
+    }
+
+    /// LU factors of M + `stiffness` · tangent for a complex `stiffness`, in the condensed form.
+    ///
+    /// # Errors
+    /// Those of [`factorize`](Structure::factorize).
+    pub fn factorize_complex(
+        &self,
+        u: &DVector<f64>,
+        thermal: &[ThermalStrain],
+        stiffness: Complex<f64>,
+        factors: &mut Chains<Complex<f64>>,
+    ) -> Result<(), SingularAt> {
+        factors.factorize(|rod, element, columns| {
+            let mesh = &self.rods[rod].mesh;
+            let mut real = [0.0; MOST_ENTRIES];
+            let real = &mut real[..columns.len()];
+            let tangent = ElementMatrix::Tangent { u, eps_t: thermal[rod], stiffness: 1.0, mass: 0.0 };
+            mesh.matrix(element, &tangent, real);
+            columns.iter_mut().zip(&*real).for_each(|(entry, real)| *entry = stiffness * *real);
+            mesh.matrix(element, &ElementMatrix::Mass, real);
+            columns.iter_mut().zip(&*real).for_each(|(entry, real)| *entry += *real);
+        })
+    }
+
+    /// Adds the matrices of a rod's elements to its block.
+    fn fill(&self, n: usize, matrix: &ElementMatrix, block: &mut Filling) {
+        self.rods[n].mesh.add_matrix(matrix, block);
+    }
+
+    /// Sum of the elements' matrices, asked for by the number of a rod.
+    pub(super) fn assemble_matrix<'a>(&self, matrix: impl Fn(usize) -> ElementMatrix<'a>) -> Bordered {
+        let mut sum = Bordered::zeros(&self.layout);
+        for n in 0..self.rods.len() {
+            self.fill(n, &matrix(n), &mut sum.block(n));
+        }
+        sum
     }
 }

@@ -78,7 +78,7 @@ fn legend<'a>(area: &Area<'a>) -> DrawingResult<'a> {
     area.draw(&Circle::new((720, 10), 4, RED.filled()))?;
     area.draw(&text("WRONG", 730, 10))?;
     let methods = METHODS.map(|method| (method.word(), of_method(method)));
-    let other = ("statics, and cases of one method", OTHER);
+    let other = ("statics, and others", OTHER);
     for (number, (name, colour)) in methods.into_iter().chain([other]).enumerate() {
         let x = 20 + 145 * number as i32;
         area.draw(&Circle::new((x, 32), 4, colour.filled()))?;

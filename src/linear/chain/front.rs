@@ -1,0 +1,147 @@
+//! One element's front: its coordinates and the border's beside it, of which those that no later element touches are eliminated.
+
+use super::{MOST_BORDER_UNKNOWNS, NONE, Number, Place, SHARED};
+
+/// The least part of the largest entry that serves as a pivot where it stands: changing rows costs more than the digit that may be
+/// lost with it.
+const FAIR: f64 = 0.1;
+
+/// What is left of a front.
+#[derive(Clone, Debug)]
+pub(super) struct Front<F, const N: usize> {
+    /// Column k: above the diagonal the upper factor, on it the pivot's inverse, below it the multipliers of pivot k.
+    pub lu: [[F; N]; N],
+    /// Row that changed places with row k at step k.
+    pub swaps: [u8; N],
+}
+
+/// What an unknown of the border adds to a front.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Side<F, const N: usize> {
+    /// Its column in the front's rows.
+    pub right: [F; N],
+    /// Its row in the front's columns, divided by the pivots.
+    pub below: [F; N],
+}
+
+/// What the border adds to the front that is being eliminated, and what is left of it by those before.
+pub(super) struct Border<F, const N: usize> {
+    pub sides: [Side<F, N>; MOST_BORDER_UNKNOWNS],
+    pub corner: [[F; MOST_BORDER_UNKNOWNS]; MOST_BORDER_UNKNOWNS],
+}
+
+impl<F: Number, const N: usize> Border<F, N> {
+    pub fn zeros() -> Border<F, N> {
+        let none = [F::zero(); N];
+        Border {
+            sides: [Side { right: none, below: none }; MOST_BORDER_UNKNOWNS],
+            corner: [[F::zero(); MOST_BORDER_UNKNOWNS]; MOST_BORDER_UNKNOWNS],
+        }
+    }
+
+    /// Moves what the last node has left to the first one's place.
+    pub fn advance(&mut self, reached: usize) {
+        let shared = |row: &mut [F; N]| {
+            row.copy_within(N - SHARED.., 0);
+            row[SHARED..].fill(F::zero());
+        };
+        for side in &mut self.sides[..reached] {
+            shared(&mut side.right);
+            shared(&mut side.below);
+        }
+    }
+
+    /// Takes what is not the chain's own out of an element's matrix: a coordinate of the border goes beside the front, and a
+    /// held one away. An equation x = 0 stays in its place.
+    pub fn separate(&mut self, place: &Place<N>, element: &mut [[F; N]; N]) {
+        for &(n, touch) in &place.others {
+            if let Some(t) = touch {
+                for (m, other) in &place.others {
+                    if let Some(s) = other {
+                        self.corner[t][*s] += element[*m][n];
+                    }
+                }
+                for m in (0..N).filter(|&m| place.own[m] != NONE) {
+                    self.sides[t].right[m] += element[n][m];
+                    self.sides[t].below[m] += element[m][n];
+                }
+            }
+        }
+        for &(n, _) in &place.others {
+            element[n] = [F::zero(); N];
+            element.iter_mut().for_each(|column| column[n] = F::zero());
+            element[n][n] = F::one();
+        }
+    }
+
+    #[inline(always)]
+    pub fn eliminate(&mut self, k: usize, lower: &[F; N], front: &[[F; N]; N], reached: usize) {
+        let row: [F; N] = std::array::from_fn(|column| if column > k { front[column][k] } else { F::zero() });
+        let pivots_right: [F; MOST_BORDER_UNKNOWNS] = std::array::from_fn(|t| self.sides[t].right[k]);
+        for (side, corner) in self.sides[..reached].iter_mut().zip(&mut self.corner) {
+            subtract(side.right[k], lower, &mut side.right);
+            let factor = side.below[k] * front[k][k];
+            subtract(factor, &row, &mut side.below);
+            side.below[k] = factor;
+            subtract(factor, &pivots_right, corner);
+        }
+    }
+}
+
+impl<F: Number, const N: usize> Front<F, N> {
+    /// Adds what the front before has left of the node that both share.
+    pub fn add_rest(&mut self, before: &Front<F, N>) {
+        for (column, rest) in self.lu.iter_mut().zip(&before.lu[N - SHARED..]) {
+            column.iter_mut().zip(&rest[N - SHARED..]).for_each(|(entry, rest)| *entry += *rest);
+        }
+    }
+
+    /// Brings a large entry of column k among the rows that are eliminated here to the diagonal. What is there stays if it is no
+    /// less than a [`FAIR`] part of the largest.
+    #[inline(always)]
+    fn pivot(&mut self, k: usize, pivots: usize, sides: &mut [Side<F, N>]) {
+        let (mut row, mut most) = (k, self.lu[k][k].norm1() / FAIR);
+        for (below, entry) in self.lu[k][..pivots].iter().enumerate().skip(k + 1) {
+            if entry.norm1() > most {
+                (row, most) = (below, entry.norm1());
+            }
+        }
+        self.swaps[k] = row as u8;
+        if row != k {
+            self.lu.iter_mut().for_each(|column| column.swap(k, row));
+            sides.iter_mut().for_each(|side| side.right.swap(k, row));
+        }
+    }
+
+    /// Eliminates the first `pivots` coordinates.
+    #[inline(always)]
+    pub fn eliminate(&mut self, pivots: usize, reached: usize, border: &mut Border<F, N>) -> Result<(), usize> {
+        for k in 0..pivots {
+            self.pivot(k, pivots, &mut border.sides[..reached]);
+            let diagonal = self.lu[k][k];
+            let inverse = F::one() / diagonal;
+            if diagonal.is_zero() || !inverse.is_finite() {
+                return Err(k);
+            }
+            let mut lower = self.lu[k].map(|entry| entry * inverse);
+            lower[..=k].fill(F::zero());
+            for column in &mut self.lu[k + 1..] {
+                subtract(column[k], &lower, column);
+            }
+            self.lu[k][k] = inverse;
+            self.lu[k][k + 1..].copy_from_slice(&lower[k + 1..]);
+            if reached > 0 {
+                border.eliminate(k, &lower, &self.lu, reached);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Takes `factor` · `column` off `from`.
+#[inline(always)]
+pub(super) fn subtract<F: Number, const N: usize>(factor: F, column: &[F; N], from: &mut [F; N]) {
+    for (from, entry) in from.iter_mut().zip(column) {
+        *from -= factor * *entry;
+    }
+}

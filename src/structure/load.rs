@@ -1,0 +1,63 @@
+//! What acts on a structure over time: weight, forces at points, heat.
+
+use nalgebra::{DVector, Vector2};
+
+use super::Structure;
+use super::rod::Rod;
+use crate::kernel::ThermalStrain;
+
+impl Structure {
+    /// Generalized force of gravity, constant.
+    pub fn gravity(&self) -> &DVector<f64> {
+        &self.gravity
+    }
+
+    /// Adds `factor` · the generalized force of the point forces at time `t`.
+    pub fn add_point_forces(&self, t: f64, factor: f64, sum: &mut DVector<f64>) {
+        for (force, place) in self.forces.iter().zip(&self.force_places) {
+            place.add(&(factor * Vector2::from(force.at(t))), sum);
+        }
+    }
+
+    /// All external forces at time `t`, in statics at the load factor `t`.
+    pub fn load(&self, t: f64) -> DVector<f64> {
+        let mut sum = DVector::zeros(self.size());
+        self.load_into(t, &mut sum);
+        sum
+    }
+
+    /// The same into `sum`.
+    pub fn load_into(&self, t: f64, sum: &mut DVector<f64>) {
+        if self.plan.weight {
+            sum.copy_from(&self.gravity);
+        } else {
+            sum.fill(0.0);
+        }
+        self.add_point_forces(t, 1.0, sum);
+        if self.grows {
+            *sum *= t;
+        }
+    }
+
+    /// Thermal strain (along, across) of each rod at time `t`, in statics at the load factor `t`.
+    pub fn thermal_strains(&self, t: f64) -> Vec<ThermalStrain> {
+        self.rods.iter().map(|rod| self.thermal_strain(rod, t)).collect()
+    }
+
+    /// The same into `thermal`, which has a place for each rod and was given by [`thermal_strains`](Structure::thermal_strains).
+    pub fn thermal_strains_into(&self, t: f64, thermal: &mut [ThermalStrain]) {
+        if !self.plan.heat {
+            return;
+        }
+        for (rod, thermal) in self.rods.iter().zip(thermal) {
+            *thermal = self.thermal_strain(rod, t);
+        }
+    }
+
+    pub(super) fn thermal_strain(&self, rod: &Rod, t: f64) -> ThermalStrain {
+        if !self.plan.heat {
+            return [0.0; 2];
+        }
+        if self.grows { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) }
+    }
+}
