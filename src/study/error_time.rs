@@ -85,18 +85,23 @@ pub struct Study {
 pub fn study(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     // First, so that a folder that cannot be written is not found after the work.
     let mut files = Files::in_folder(out)?;
-    let study = part(options, out, &mut files, &print)?;
+    let (study, _) = part(options, out, &mut files, &print)?;
     let paths = files.publish()?;
     print(&paths.iter().map(|path| format!("wrote {}\n", path.display())).collect::<String>())?;
     print(&format!("{:.1} s in all\n", study.wall_seconds))
 }
 
-/// The study as a part of another job, whose files it adds to: measured, printed, and written but not published. `out` is
-/// where the other program's runs are looked for.
+/// The study, with its picture, as a part of another job, whose files it adds to: measured, printed, and written but not published.
+/// `out` is where the other program's runs are looked for.
 ///
 /// # Errors
 /// Those of [`study`].
-pub fn part(options: &Options, out: &Path, files: &mut Files, print: impl Fn(&str) -> Result<()>) -> Result<Study> {
+pub fn part(
+    options: &Options,
+    out: &Path,
+    files: &mut Files,
+    print: impl Fn(&str) -> Result<()>,
+) -> Result<(Study, String)> {
     let study = measure(options, out, &print)?;
     let svg = picture::svg(&study.groups)?;
     let html = page::page(&study, &svg);
@@ -105,7 +110,7 @@ pub fn part(options: &Options, out: &Path, files: &mut Files, print: impl Fn(&st
     files.write("error-time.json", |file| Ok(serde_json::to_writer_pretty(file, &study)?))?;
     files.write("error-time.svg", |file| file.write_all(svg.as_bytes()))?;
     files.write("error-time.html", |file| file.write_all(html.as_bytes()))?;
-    Ok(study)
+    Ok((study, svg))
 }
 
 fn measure(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<Study> {

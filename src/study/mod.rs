@@ -87,7 +87,7 @@ impl std::fmt::Display for Balance {
 /// pictures and `main.json` to `out`.
 ///
 /// # Errors
-/// [`Error::Comparison`] when a run misses the oracle or its energy balance: the files are written all the same. Those of
+/// [`Error::Comparison`] when a run misses the oracle or its energy balance, or a stiff case is WRONG: the files are written all the same. Those of
 /// the runs themselves.
 pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let clock = Instant::now();
@@ -131,10 +131,12 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     print(&table::claims(&claims))?;
 
     let options = error_time::Options { quick: true, ..Default::default() };
-    error_time::part(&options, out, &mut files, print)?;
+    let (_, error_time) = error_time::part(&options, out, &mut files, print)?;
+    let (wrong, stability) = stability::part(&mut files, print)?;
 
     let failed = rows.iter().chain(&bars).chain(&structures).filter(|row| !row.holds()).map(ToString::to_string);
-    let failed: Vec<String> = failed.chain(energy.iter().filter(|e| !e.holds()).map(ToString::to_string)).collect();
+    let balances = energy.iter().filter(|e| !e.holds()).map(ToString::to_string);
+    let failed: Vec<String> = failed.chain(balances).chain(wrong).collect();
     let pictures: Vec<(&'static str, String)> = pendulum::pictures(&models, &oracle.rigid, &continuum)?
         .into_iter()
         .chain(section4::pictures(&structure)?)
@@ -142,7 +144,9 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     for (name, svg) in &pictures {
         files.write(name, |file| file.write_all(svg.as_bytes()))?;
     }
-    files.write("report.html", |file| file.write_all(page::page(&printed.borrow(), &pictures).as_bytes()))?;
+    let parts = [("error-time.svg", error_time), ("stability.svg", stability)];
+    let drawn: Vec<(&str, String)> = pictures.into_iter().chain(parts).collect();
+    files.write("report.html", |file| file.write_all(page::page(&printed.borrow(), &drawn).as_bytes()))?;
     files.write("pendulum.csv", |file| report::write_csv(file, &pendulum::curves(&models)))?;
     files.write("scissors.csv", |file| report::write_csv(file, &section4::curves(&structure)))?;
     let report = Report {

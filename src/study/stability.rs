@@ -82,12 +82,7 @@ pub fn study(names: &[String], out: &Path, print: impl Fn(&str) -> Result<()>) -
     let mut files = Files::in_folder(out)?;
     let study = measure(names, Reach::Full)?;
     print(&text::table(&study))?;
-    let svg = picture::svg(&study.cases)?;
-    let html = page::page(&study, &svg);
-    files.write("stability.csv", |file| row::write(file, study.rows()))?;
-    files.write("stability.json", |file| Ok(serde_json::to_writer_pretty(file, &study)?))?;
-    files.write("stability.svg", |file| file.write_all(svg.as_bytes()))?;
-    files.write("stability.html", |file| file.write_all(html.as_bytes()))?;
+    write(&study, &mut files)?;
     let paths = files.publish()?;
     print(&paths.iter().map(|path| format!("wrote {}\n", path.display())).collect::<String>())?;
     print(&format!("{:.1} s in all\n", study.wall_seconds))?;
@@ -96,6 +91,28 @@ pub fn study(names: &[String], out: &Path, print: impl Fn(&str) -> Result<()>) -
         None => Ok(()),
         Some(first) => Err(Error::Comparison { count: wrong.len(), first: first.clone() }),
     }
+}
+
+/// The fast rows, as a part of the main job: prints how many of each case are right, writes with the other files; the rows that are
+/// WRONG, and the picture.
+///
+/// # Errors
+/// Those of [`study`].
+pub fn part(files: &mut Files, print: impl Fn(&str) -> Result<()>) -> Result<(Vec<String>, String)> {
+    let study = measure(&[], Reach::Fast)?;
+    print(&text::summary(&study))?;
+    let svg = write(&study, files)?;
+    Ok((study.wrong().map(Row::line).collect(), svg))
+}
+
+fn write(study: &Study, files: &mut Files) -> Result<String> {
+    let svg = picture::svg(&study.cases)?;
+    let html = page::page(study, &svg);
+    files.write("stability.csv", |file| row::write(file, study.rows()))?;
+    files.write("stability.json", |file| Ok(serde_json::to_writer_pretty(file, study)?))?;
+    files.write("stability.svg", |file| file.write_all(svg.as_bytes()))?;
+    files.write("stability.html", |file| file.write_all(html.as_bytes()))?;
+    Ok(svg)
 }
 
 /// Runs the named cases, or all of them.

@@ -27,7 +27,7 @@ pub const SPUN: Case = Case {
             and Newton leaves 1e-15 of the force N ≤ ρAω²L²/8 that works over ½ωLΔt, 0.4 ε_mach of the energy. Gauss and velocity Verlet keep \
             what is bilinear in place and momentum, and so the angular momentum, to the same; their energy, and both quantities of the \
             other methods, are lost by as much as their step makes: the series of three runs with halved steps. Turns go on to 3,000, where \
-            nothing has broken (a hundredth would be reached after 2e11 turns); with fewer steps a turn Newton's iteration stops.",
+            nothing has broken (a hundredth would be reached after 2e11 turns); with one or two steps a turn places mean nothing, whatever is kept.",
     trials: spun,
 };
 

@@ -32,6 +32,18 @@ pub const CASE: Case = Case {
     trials,
 };
 
+/// Steps (tolerances) that resolve the wave have to give a result: no method may make it easy by refusing all.
+fn expected(method: Method, elements: usize, value: f64) -> Expected {
+    let resolved = match method {
+        Method::EnergyMomentum | Method::Gauss => 5e-4,
+        Method::GeneralizedAlpha if elements <= 16 => 1e-4,
+        // Its overshoot makes more of the shorter waves of a finer mesh.
+        Method::GeneralizedAlpha => 0.0,
+        _ => 1e-5,
+    };
+    if value <= resolved { Expected::Result } else { Expected::ResultOrRefusal }
+}
+
 const END: f64 = 0.5;
 const INTERVAL: f64 = 0.01;
 
@@ -44,7 +56,7 @@ fn trials() -> Result<Vec<Trial>> {
             let exudyn = method == Method::GeneralizedAlpha && elements == 4 && value == 1e-2;
             // Those that are refused; the reference of others takes seconds.
             let fast = exudyn || (method == Method::EnergyMomentum && elements == 4 && value >= 5e-3);
-            trials.push(trial.fast(fast).expect(Expected::ResultOrRefusal));
+            trials.push(trial.fast(fast).expect(expected(method, elements, value)));
         }
     };
     for elements in [4, 16, 64] {

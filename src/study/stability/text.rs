@@ -1,6 +1,6 @@
 //! The table as text.
 
-use super::row::{Row, Verdict};
+use super::row::Row;
 use super::{Study, Swept};
 
 pub fn table(study: &Study) -> String {
@@ -11,14 +11,34 @@ pub fn table(study: &Study) -> String {
             text += &format!("{}\n", line(row));
         }
     }
-    let count = |verdict| study.rows().filter(|row| row.verdict == verdict).count();
-    let [right, warned, refused, wrong] =
-        [Verdict::Right, Verdict::Warned, Verdict::Refused, Verdict::Wrong].map(count);
+    let [right, warned, refused, wrong] = counts(study.rows());
     let loose = study.rows().filter(|row| row.loose).count();
     text + &format!(
         "\n{right} right, {warned} right with warning, {refused} refused, {wrong} WRONG\nof the right ones {loose} are marked `~`: their \
          bound is more than a hundredth of what is measured, so that they show little\n"
     )
+}
+
+/// The verdicts of each case.
+pub fn summary(study: &Study) -> String {
+    let mut text = String::from("Stiff and extreme cases: the rows that take no time; `ancf stability` has all\n\n");
+    text += &format!("   {:26} {:>6} {:>12} {:>8} {:>6}\n", "case", "right", "with warning", "refused", "WRONG");
+    let line = |name: &str, [right, warned, refused, wrong]: [usize; 4]| {
+        format!("   {name:26} {right:>6} {warned:>12} {refused:>8} {wrong:>6}\n")
+    };
+    for Swept { case, rows } in study.cases.iter().filter(|swept| !swept.rows.is_empty()) {
+        text += &line(case.name, counts(rows.iter()));
+    }
+    text + &line("together", counts(study.rows())) + "\n"
+}
+
+/// Rows that are right, right with warning, refused and WRONG.
+fn counts<'a>(rows: impl Iterator<Item = &'a Row>) -> [usize; 4] {
+    let mut counts = [0; 4];
+    for row in rows {
+        counts[row.verdict as usize] += 1;
+    }
+    counts
 }
 
 fn line(row: &Row) -> String {
