@@ -1,4 +1,4 @@
-"""The JSON Schemas of `fixtures/schema/`, and whether the files are what they say.
+"""The JSON Schemas of `fixtures/schema/`: whether the files are what they say, and whether they say what each entry is.
 
 Checked here and not by a Rust test: the oracle's environment exists for the fixtures, and a validator of schemas is nothing that
 the program needs.
@@ -41,7 +41,26 @@ def faults():
         for error in validator.iter_errors(json.loads((fixture.FOLDER / name).read_text(encoding="utf-8"))):
             found.append(f"fixtures/{name}: {error.json_path}: {error.message:.120}")
     found += [f"fixtures/schema/{name}: {error}" for name in ("report", "question", "answer") for error in unusable(name)]
+    for path in sorted((fixture.FOLDER / "schema").glob("*.json")):
+        unexplained = without_description(json.loads(path.read_text(encoding="utf-8")))
+        found += [f"fixtures/schema/{path.name}: {place}: no description" for place in unexplained]
     return found
+
+
+def without_description(node, place="$"):
+    """Where a property of a schema says nothing of what it holds."""
+    if isinstance(node, list):
+        return [fault for n, entry in enumerate(node) for fault in without_description(entry, f"{place}[{n}]")]
+    if not isinstance(node, dict):
+        return []
+    properties = node.get("properties")
+    named = properties if isinstance(properties, dict) else {}
+    found = [f"{place}.properties.{key}" for key, entry in named.items()
+             if not (isinstance(entry, dict) and str(entry.get("description", "")).strip())]
+    for key, entry in named.items():
+        found += without_description(entry, f"{place}.properties.{key}")
+    return found + [fault for key, entry in node.items() if key != "properties"
+                    for fault in without_description(entry, f"{place}.{key}")]
 
 
 def unusable(name):

@@ -190,7 +190,10 @@ def write(page):
                rows=rows, curved=Symbol(r"-(\boldsymbol\Phi_q \dot{\mathbf q})_q \dot{\mathbf q}", 0))
     page.words("""{kq} is the elements' forces (19), one below the other. The last line is the conditions
         differentiated twice by time; together with the second it gives accelerations and multipliers by one system
-        of linear equations. A multiplier is the force with which the first named body is held back by the pin.""", kq=forces)
+        of linear equations. A multiplier is the force with which the first named body is held back by the pin. Here a pin is
+        {here}; the values to check against (`fixtures/structure.json`) and this project's scenes take second rod less first,
+        {there}. That turns the sign of a pin's multipliers and of its rows in {rows}, and neither their product nor the
+        motion.""", kq=forces, rows=rows, here=A_k - B_i, there=B_i - A_k)
 
 
 def dot(a, b):

@@ -175,8 +175,10 @@ def write(page):
         across it.""")
     page.formulas_of([(S_1 + S_3 + S_6, node(1)), (S_4 + Quotient(l, node(2)) * S_3 + l * S_6, x), (S_2 + S_5 + S_7, y)],
                      number="A.5", how="The functions are those derived in (3).")
-    page.words("""So any motion without strain, and any uniform strain, is represented exactly: what engineers call
-        passing the patch test.""")
+    page.words("""So any motion without strain, and any uniform strain, is represented exactly: the element is
+        complete, without which refining a mesh need not approach anything. That is less than what engineers call the patch
+        test. It asks whether elements under the loads of a uniform stress also *take* that state, and so of the forces as
+        well.""")
 
     page.section("5", "Velocity", ["equations.shape::r_dot"])
     t = sympy.Symbol("t")

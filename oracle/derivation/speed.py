@@ -20,7 +20,9 @@ def write(page):
     page.heading("8 For speed: the section by hand")
     page.rust("kernel.ancf::Ancf")
     page.words("""Fifteen Gauss points with matrices of 14 rows are the formulas as they read, not how a program
-        should run. Four steps make the same numbers some hundred times faster.""")
+        should run. Four steps make the same numbers faster: the kernel that takes them
+        is 350 times as fast in the force and 130 times in the tangent (`cargo bench --bench kernel`, measured in
+        `docs/EVIDENCE.md`).""")
     page.words("""**First, split the position.** (A.1) is linear in {y}: an axis and a director, whose derivatives
         along the axis are marked by a prime.""", y=y)
     components = Y.r_components()
