@@ -241,8 +241,8 @@ fn conform(command: &[String], fixtures: Option<&Path>, options: Options, folder
     bar.finish_and_clear();
     let examination = examination?;
     let text = conformance::report::markdown(&suite, &examination);
-    let json = serde_json::to_string_pretty(&conformance::report::json(&suite, &examination)).unwrap_or_default();
-    files.write("conformance.json", |file| file.write_all(json.as_bytes()))?;
+    let json = conformance::report::json(&suite, &examination);
+    files.write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &json)?))?;
     files.write("conformance.md", |file| file.write_all(text.as_bytes()))?;
     let paths = files.publish()?;
     let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();

@@ -1,5 +1,7 @@
 //! All that was found out about a program.
 
+use std::collections::BTreeMap;
+
 use super::blame::Blame;
 use super::mistakes::{Finding, Name};
 use super::program::Chatter;
@@ -60,14 +62,20 @@ impl Examination {
         self.hello.as_ref().map_or(&self.command, |hello| &hello.name)
     }
 
-    /// The first culprit before a quantity that shows the very same mistake, and that mistake; none that follows another itself.
-    pub fn same_as(&self, quantity: &str) -> Option<(&'static str, &Name)> {
-        let place = self.findings.iter().position(|(other, _)| *other == quantity)?;
-        let (earlier, rest) = self.findings.split_at(place);
-        let (_, own) = rest.first()?;
-        let shared = |name: &&Name| own.kinds.contains(name) && name.1 != ZEROS;
-        let heads = earlier.iter().filter(|(first, _)| self.same_as(first).is_none());
-        heads.into_iter().find_map(|(first, finding)| Some((*first, finding.kinds.iter().find(shared)?)))
+    /// Culprits that show the very same mistake as one before them: that one, which follows no other itself, and the mistake.
+    pub fn alike(&self) -> BTreeMap<&'static str, (&'static str, &Name)> {
+        let mut alike = BTreeMap::new();
+        let mut heads: Vec<&(&'static str, Finding)> = Vec::new();
+        for culprit in &self.findings {
+            let (quantity, own) = culprit;
+            let shared = |name: &&Name| own.kinds.contains(name) && name.1 != ZEROS;
+            let same = heads.iter().find_map(|(first, finding)| Some((*first, finding.kinds.iter().find(shared)?)));
+            match same {
+                Some(same) => _ = alike.insert(*quantity, same),
+                None => heads.push(culprit),
+            }
+        }
+        alike
     }
 
     /// How many quantities the program has.
@@ -109,10 +117,7 @@ mod tests {
             questions: 0,
             seconds: 0.0,
         };
-        assert_eq!(examination.same_as("21.S_b1"), Some(("21.S_a1", &half)));
-        for alone in ["21.S_a1", "21.S_c1", "21.K_1", "7.M"] {
-            assert_eq!(examination.same_as(alone), None, "{alone}");
-        }
-        assert_eq!(examination.same_as("21.K_2"), Some(("21.S_c1", &sign)));
+        let expected = [("21.S_b1", ("21.S_a1", &half)), ("21.K_2", ("21.S_c1", &sign))];
+        assert_eq!(examination.alike(), BTreeMap::from(expected));
     }
 }

@@ -97,24 +97,39 @@ fn observations<'a>(
 }
 
 fn standing(cases: &[(usize, Verdict)], again: Option<&Vec<(usize, Verdict)>>) -> Standing {
-    if cases.iter().any(|(_, verdict)| verdict.fails()) {
-        let Some(again) = again else { return Standing::Wrong { with_given: WithGiven::NotTried } };
-        let first = |n: usize| cases.iter().find(|(case, _)| *case == n).map(|(_, verdict)| verdict);
-        let same = |first: Option<&Verdict>, again: &Verdict| match (first, again) {
-            (Some(Verdict::Pass { .. }), Verdict::Pass { .. }) => true,
-            (first, again) => first == Some(again),
-        };
-        let with_given = if again.iter().all(|(_, verdict)| !verdict.fails()) {
-            WithGiven::Right
-        } else if again.iter().all(|(n, verdict)| same(first(*n), verdict)) {
-            WithGiven::Same
-        } else {
-            WithGiven::Wrong
-        };
-        return Standing::Wrong { with_given };
+    let any = |verdicts: &[(usize, Verdict)], wanted: fn(&Verdict) -> bool| verdicts.iter().any(|(_, v)| wanted(v));
+    let right: fn(&Verdict) -> bool = |verdict| matches!(verdict, Verdict::Pass { .. });
+    let number: fn(&Verdict) -> bool = |verdict| matches!(verdict, Verdict::Pass { .. } | Verdict::Wrong(_));
+    if !any(cases, Verdict::fails) {
+        return if any(cases, right) { Standing::Right } else { Standing::Unknown };
     }
-    let passed = cases.iter().any(|(_, verdict)| matches!(verdict, Verdict::Pass { .. }));
-    if passed { Standing::Right } else { Standing::Unknown }
+    if !any(cases, number) && !again.is_some_and(|again| any(again, number)) {
+        return Standing::Silent;
+    }
+    let numbers = any(cases, |verdict| matches!(verdict, Verdict::Wrong(_)));
+    Standing::Wrong { numbers, with_given: again.map_or(WithGiven::NotTried, |again| with_given(cases, again)) }
+}
+
+/// What became of the cases that were asked again.
+fn with_given(cases: &[(usize, Verdict)], again: &[(usize, Verdict)]) -> WithGiven {
+    fn of(verdicts: &[(usize, Verdict)], n: usize) -> Option<&Verdict> {
+        verdicts.iter().find(|(case, _)| *case == n).map(|(_, verdict)| verdict)
+    }
+    let right = |verdict: &Verdict| matches!(verdict, Verdict::Pass { .. });
+    if again.iter().any(|(_, verdict)| verdict.fails()) {
+        let same = |(n, verdict): &(usize, Verdict)| {
+            let first = of(cases, *n);
+            first == Some(verdict) || (first.is_some_and(right) && right(verdict))
+        };
+        return if again.iter().all(same) { WithGiven::Same } else { WithGiven::Wrong };
+    }
+    let failing = cases.iter().filter(|(_, verdict)| verdict.fails());
+    let cured = |(n, _): &&(usize, Verdict)| of(again, *n).is_some_and(right);
+    let (cured, unasked): (Vec<_>, Vec<_>) = failing.partition(cured);
+    match unasked.len() {
+        0 => WithGiven::Right,
+        unasked => WithGiven::Partly { cured: cured.len(), unasked },
+    }
 }
 
 struct Examiner<'a> {
@@ -140,11 +155,18 @@ impl Examiner<'_> {
             let verdict = if !asked {
                 Verdict::NotImplemented
             } else if ended >= PATIENCE {
-                Verdict::Fault(Fault::NotAsked(format!("it hung or crashed {PATIENCE} times before")))
+                Verdict::Fault(Fault::NotAsked(format!(
+                    "it hung or crashed {PATIENCE} times before, or wrote without an end"
+                )))
             } else {
                 self.verdict(quantity, case, reference, &[])
             };
-            ended += usize::from(matches!(verdict, Verdict::Fault(Fault::TimeLimit(_) | Fault::Crash(_))));
+            ended += match verdict {
+                Verdict::Fault(Fault::TimeLimit(_) | Fault::Crash(_)) => 1,
+                // Who writes without an end will do so again, and each time is a long one.
+                Verdict::Fault(Fault::Endless(_)) => PATIENCE,
+                _ => 0,
+            };
             verdicts.push((n, verdict));
         }
         verdicts
@@ -211,5 +233,36 @@ impl Examiner<'_> {
         self.questions += 1;
         let id = self.questions.to_string();
         self.program.ask(&id, question(&id))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn right_with_given_needs_every_failing_case_asked_again() {
+        let (right, crash) = (Verdict::Pass { digits: 15.0 }, Verdict::Fault(Fault::Crash("exit status: 1".into())));
+        let off = Verdict::Fault(Fault::Error("too large".into()));
+        let of = |verdicts: &[&Verdict]| verdicts.iter().map(|v| (*v).clone()).enumerate().collect::<Vec<_>>();
+        let first = of(&[&right, &off, &crash]);
+        assert_eq!(with_given(&first, &of(&[&right])), WithGiven::Partly { cured: 0, unasked: 2 });
+        assert_eq!(with_given(&first, &of(&[&right, &right])), WithGiven::Partly { cured: 1, unasked: 1 });
+        assert_eq!(with_given(&first, &of(&[&right, &right, &right])), WithGiven::Right);
+        assert_eq!(
+            with_given(&first, &of(&[&right, &Verdict::NotImplemented, &right])),
+            WithGiven::Partly { cured: 1, unasked: 1 }
+        );
+        assert_eq!(with_given(&first, &of(&[&right, &off])), WithGiven::Same);
+        assert_eq!(with_given(&first, &of(&[&off, &off])), WithGiven::Wrong);
+    }
+
+    #[test]
+    fn no_numbers_at_all_is_told_from_some() {
+        let (right, crash) = ((0, Verdict::Pass { digits: 15.0 }), (1, Verdict::Fault(Fault::Crash("over".into()))));
+        assert_eq!(standing(std::slice::from_ref(&crash), None), Standing::Silent);
+        assert_eq!(standing(std::slice::from_ref(&crash), Some(&vec![])), Standing::Silent);
+        let faulty = Standing::Wrong { numbers: false, with_given: WithGiven::NotTried };
+        assert_eq!(standing(&[right, crash], None), faulty);
     }
 }

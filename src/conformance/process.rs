@@ -15,7 +15,7 @@ use super::protocol;
 use super::verdict::Fault;
 
 /// Longest line that is read, bytes.
-const LONGEST_LINE: u64 = 64 << 20;
+const LONGEST_LINE: u64 = 16 << 20;
 /// Lines that are read ahead.
 const AHEAD: usize = 16;
 /// Lines of standard error that are kept.
@@ -28,6 +28,7 @@ const FAREWELL: Duration = Duration::from_millis(300);
 /// A running program.
 pub struct Process {
     child: Child,
+    over: bool,
     questions: Sender<String>,
     writer: JoinHandle<()>,
     lines: Receiver<std::result::Result<String, Fault>>,
@@ -42,6 +43,9 @@ impl Process {
     pub fn start(name: &str, arguments: &[String]) -> Result<Process> {
         let mut command = Command::new(name);
         command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        // What it starts itself, as a shell does, belongs to its group and ends with it.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut child = command.spawn()?;
         let (stdin, stdout, stderr) = match (child.stdin.take(), child.stdout.take(), child.stderr.take()) {
             (Some(stdin), Some(stdout), Some(stderr)) => (stdin, stdout, stderr),
@@ -54,7 +58,7 @@ impl Process {
         thread::spawn(move || read_lines(stdout, &to_tell));
         let kept = Arc::clone(&last_words);
         thread::spawn(move || keep_last_lines(stderr, &kept));
-        Ok(Process { child, questions, writer, lines, last_words })
+        Ok(Process { child, over: false, questions, writer, lines, last_words })
     }
 
     /// Sends a line.
@@ -68,7 +72,7 @@ impl Process {
     /// The next line; `None` if none comes within the time.
     ///
     /// # Errors
-    /// [`Fault::Crash`] if there will be none, [`Fault::Garbage`] if it has no end.
+    /// [`Fault::Crash`] if there will be none, [`Fault::Endless`] if it has no end.
     pub fn next(&self, limit: Duration) -> std::result::Result<Option<String>, Fault> {
         let started = Instant::now();
         loop {
@@ -102,8 +106,15 @@ impl Process {
         story
     }
 
-    /// Ends the process; that it has ended already is no error.
+    /// Ends the process and what it has started; that it has ended already is no error.
     pub fn end(&mut self) {
+        if std::mem::replace(&mut self.over, true) {
+            return;
+        }
+        #[cfg(all(unix, feature = "cli"))]
+        if let Some(group) = i32::try_from(self.child.id()).ok().and_then(rustix::process::Pid::from_raw) {
+            let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
+        }
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
@@ -134,7 +145,11 @@ fn read_lines(stdout: ChildStdout, lines: &SyncSender<std::result::Result<String
         let mut line = Vec::new();
         let line = match (&mut stdout).take(LONGEST_LINE).read_until(b'\n', &mut line) {
             Ok(0) | Err(_) => return,
-            Ok(count) if count as u64 == LONGEST_LINE => Err(Fault::Garbage("a line without an end".into())),
+            Ok(count) if count as u64 == LONGEST_LINE => {
+                // Whoever writes on without an end is not listened to any more.
+                let _ = lines.send(Err(Fault::Endless(format!("{} MB and more", LONGEST_LINE >> 20))));
+                return;
+            }
             Ok(_) => Ok(String::from_utf8_lossy(&line).into_owned()),
         };
         if lines.send(line).is_err() {

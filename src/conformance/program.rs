@@ -127,7 +127,7 @@ impl Program {
         let before = self.chatter.lines;
         let outcome = process.send(line).and_then(|()| self.listen(&process, limit, wanted));
         match &outcome {
-            Err(Fault::TimeLimit(_)) => process.end(),
+            Err(Fault::TimeLimit(_) | Fault::Endless(_)) => process.end(),
             Err(Fault::Crash(how)) => {
                 let mut story = process.obituary(how);
                 if self.chatter.lines > before {
@@ -162,7 +162,7 @@ impl Program {
                 Line::Chatter(words) => {
                     count += 1;
                     self.chatter.add(&words);
-                    if count == PATIENCE {
+                    if count > PATIENCE {
                         return Err(Fault::Garbage(words));
                     }
                     if self.habit == Some(Habit::InPlaceOfAnswers) {

@@ -5,12 +5,14 @@
 //! | `{"hello": {"protocol", "quantities"}}` | `{"hello": {"name", "given"?, "quantities"?}}` |
 //! | `{"id", "equation", "state", "given"?}` | `{"id", "value"}` \| `{"id", "not_implemented": true}` \| `{"id", "error"}` |
 //!
+//! Keys that are null or false are as good as absent; beside an error a value counts for nothing.
+//!
 //! `equation` is a quantity's name, such as `21.K_1`. A program that takes intermediate values says so with `"given": true`; one that
 //! lists `quantities` is asked for these only.
 
 use serde_json::{Map, Value, json};
 
-use super::graph::GRAPH;
+use super::graph::{GRAPH, find};
 use super::suite::{Case, Suite, flatten};
 use super::verdict::Fault;
 
@@ -29,6 +31,40 @@ pub struct Hello {
     pub given: bool,
     /// What it has; everything, if it does not say.
     pub quantities: Option<Vec<String>>,
+}
+
+impl Hello {
+    /// Names of `quantities` that nobody asks for.
+    pub fn unknown(&self) -> impl Iterator<Item = &str> {
+        self.quantities.iter().flatten().map(String::as_str).filter(|id| find(id).is_none())
+    }
+
+    /// What a program says of itself; otherwise what is wrong with that.
+    fn of(said: &Value) -> Result<Hello, &'static str> {
+        let table = said.as_object().ok_or("`hello` has to be an object, such as {\"name\": \"mine\"}")?;
+        let named = |key: &str| table.get(key).filter(|value| !value.is_null());
+        let name = match named("name") {
+            None => "a program without a name".into(),
+            Some(name) => name.as_str().ok_or("`name` in `hello` has to be a string")?.to_string(),
+        };
+        let given = match named("given") {
+            None => false,
+            Some(given) => given.as_bool().ok_or("`given` in `hello` has to be true or false")?,
+        };
+        let quantities = match named("quantities") {
+            None => None,
+            Some(Value::Array(ids)) => {
+                Some(ids.iter().map(|id| Some(id.as_str()?.to_string())).collect::<Option<Vec<_>>>())
+            }
+            Some(_) => Some(None),
+        };
+        let quantities = match quantities {
+            Some(None) => return Err("`quantities` in `hello` has to be a list of names, such as [\"1.r\", \"7.M\"]"),
+            Some(listed) => listed,
+            None => None,
+        };
+        Ok(Hello { name, given, quantities })
+    }
 }
 
 /// The first line to a program.
@@ -76,31 +112,34 @@ pub enum Answer {
 /// Reads a line.
 ///
 /// # Errors
-/// [`Fault::Garbage`] for a JSON object that is neither `hello` nor an answer.
+/// [`Fault::Garbage`] for a JSON object that is neither `hello` nor an answer, with what is wrong with it.
 pub fn read(line: &str) -> Result<Line, Fault> {
-    let garbage = || Fault::Garbage(quoted(line));
+    // Some programs start what they write with a byte order mark.
+    let line = line.trim_start_matches('\u{feff}');
+    let garbage = |why: &str| Fault::Garbage(format!("{}{why}", quoted(line)));
     let table = match serde_json::from_str::<Value>(line).or_else(|_| serde_json::from_str(&without_nan(line))) {
         Ok(Value::Object(table)) => table,
         _ => return Ok(Line::Chatter(quoted(line))),
     };
     if let Some(hello) = table.get("hello") {
-        let name = hello["name"].as_str().unwrap_or("a program without a name").to_string();
-        let given = hello["given"].as_bool().unwrap_or(false);
-        let words = |list: &Vec<Value>| list.iter().filter_map(|id| id.as_str().map(str::to_string)).collect();
-        return Ok(Line::Hello(Hello { name, given, quantities: hello["quantities"].as_array().map(words) }));
+        return Hello::of(hello).map(Line::Hello).map_err(|why| garbage(&format!(": {why}")));
     }
     let id = match table.get("id") {
         Some(Value::String(id)) => id.clone(),
-        _ => return Err(garbage()),
+        Some(Value::Number(_)) => {
+            return Err(garbage(": the id came back as a number, not as the string that was sent"));
+        }
+        _ => return Err(garbage("")),
     };
-    let answer = if let Some(value) = table.get("value") {
-        Answer::Value(value.clone())
-    } else if table.contains_key("not_implemented") {
+    let told = |key: &str| table.get(key).filter(|value| !matches!(value, Value::Null | Value::Bool(false)));
+    let answer = if told("not_implemented").is_some() {
         Answer::NotImplemented
-    } else if let Some(error) = table.get("error") {
+    } else if let Some(error) = told("error") {
         Answer::Error(quoted(error.as_str().unwrap_or(&error.to_string())))
+    } else if let Some(value) = table.get("value") {
+        Answer::Value(value.clone())
     } else {
-        return Err(garbage());
+        return Err(garbage(""));
     };
     Ok(Line::Answer(id, answer))
 }
@@ -150,7 +189,8 @@ pub fn quoted(line: &str) -> String {
     }
 }
 
-/// The line with null for NaN and Infinity in all their spellings, which JSON does not have but programs write.
+/// The line with null for NaN and Infinity in all their spellings, which JSON does not have but programs write, and for numbers
+/// beyond what f64 has.
 fn without_nan(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     let mut rest = line.chars().peekable();
@@ -162,6 +202,18 @@ fn without_nan(line: &str) -> String {
             if c == '\\' {
                 out.extend(rest.next());
             }
+        } else if c.is_ascii_digit() {
+            let mut number = String::from(c);
+            while let Some(next) = rest.next_if(|c| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-')) {
+                number.push(next);
+            }
+            if number.parse().is_ok_and(f64::is_infinite) {
+                while out.ends_with(['-', '+']) {
+                    out.pop();
+                }
+                number = "null".into();
+            }
+            out.push_str(&number);
         } else if c.is_ascii_alphabetic() && !before.is_ascii_digit() && before != '.' {
             let mut word = String::from(c);
             while let Some(next) = rest.next_if(char::is_ascii_alphabetic) {
@@ -210,8 +262,41 @@ mod tests {
     }
 
     #[test]
+    fn a_line_that_is_almost_right_is_told_in_words() {
+        for (line, words) in [
+            (r#"{"id":7,"value":1}"#, "the id came back as a number"),
+            (r#"{"hello":5}"#, "`hello` has to be an object"),
+            (r#"{"hello":{"name":5}}"#, "`name` in `hello` has to be a string"),
+            (r#"{"hello":{"given":"yes"}}"#, "`given` in `hello` has to be true or false"),
+            (r#"{"hello":{"quantities":"1.r"}}"#, "`quantities` in `hello` has to be a list of names"),
+            (r#"{"hello":{"quantities":["1.r",3]}}"#, "`quantities` in `hello` has to be a list of names"),
+        ] {
+            let Err(Fault::Garbage(told)) = read(line) else { panic!("{line}") };
+            assert!(told.starts_with(line) && told.contains(words), "{told}");
+        }
+        let Ok(Line::Hello(hello)) = read(r#"{"hello":{"name":null,"quantities":["7.M","1.R","23.m"]}}"#) else {
+            panic!()
+        };
+        assert_eq!(hello.unknown().collect::<Vec<_>>(), ["1.R", "23.m"]);
+    }
+
+    #[test]
+    fn keys_that_are_null_or_false_and_a_byte_order_mark_are_passed_over() {
+        for (line, answer) in [
+            (r#"{"id":"1","value":null,"error":"h is 0","not_implemented":false}"#, Answer::Error("h is 0".into())),
+            (r#"{"id":"1","value":null,"error":null,"not_implemented":true}"#, Answer::NotImplemented),
+            (r#"{"id":"1","value":2.5,"error":null,"not_implemented":false}"#, Answer::Value(json!(2.5))),
+            (r#"{"id":"1","value":null,"error":null}"#, Answer::Value(Value::Null)),
+            ("\u{feff}{\"id\":\"1\",\"value\":2.5}", Answer::Value(json!(2.5))),
+        ] {
+            assert_eq!(read(line), Ok(Line::Answer("1".into(), answer)), "{line}");
+        }
+        assert!(matches!(read(r#"{"id":"1","not_implemented":false}"#), Err(Fault::Garbage(_))));
+    }
+
+    #[test]
     fn nan_and_infinity_are_found_in_every_spelling() {
-        for bad in ["NaN", "nan", "-NaN", "Infinity", "-Infinity", "inf", "-inf", "null"] {
+        for bad in ["NaN", "nan", "-NaN", "Infinity", "-Infinity", "inf", "-inf", "null", "1e999", "-1.5E+400"] {
             let line = format!(r#"{{"id":"1","value":[1e5,{bad},2]}}"#);
             let Ok(Line::Answer(_, Answer::Value(value))) = read(&line) else { panic!("{line}") };
             assert_eq!(numbers(&value, &[3]), Err(Fault::NotFinite("1 of its entries".into())), "{line}");

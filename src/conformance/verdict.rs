@@ -50,6 +50,8 @@ pub enum Fault {
     NotFinite(String),
     /// A line that is no answer.
     Garbage(String),
+    /// A line that does not end; the program was ended.
+    Endless(String),
     /// No answer in time; the program was ended.
     TimeLimit(String),
     /// The program ended.
@@ -66,6 +68,7 @@ impl Fault {
             Fault::Shape(_) => "another shape",
             Fault::NotFinite(_) => "NaN or infinite",
             Fault::Garbage(_) => "no answer but another line",
+            Fault::Endless(_) => "a line without an end",
             Fault::TimeLimit(_) => "no answer in time",
             Fault::Crash(_) => "ended",
             Fault::NotAsked(_) => "not asked any more",
@@ -80,6 +83,7 @@ impl std::fmt::Display for Fault {
             Fault::Shape(detail) => write!(f, "wrong shape: {detail}"),
             Fault::NotFinite(detail) => write!(f, "not finite: {detail}"),
             Fault::Garbage(line) => write!(f, "no answer but {line}"),
+            Fault::Endless(length) => write!(f, "a line without an end: {length}; the program was ended"),
             Fault::TimeLimit(limit) => write!(f, "no answer within {limit}"),
             Fault::Crash(how) => write!(f, "the program ended: {how}"),
             Fault::NotAsked(why) => write!(f, "not asked: {why}"),

@@ -13,7 +13,8 @@ const OF_A_CABLE: &str = "Values in SI units; rows and columns of e in the order
      point by point.\n";
 const OF_A_STRUCTURE: &str = "Values in SI units, from the terms of (23) that are stored with the case: m, k q, f and Phi_q; one number for each coordinate.\n";
 
-/// Every quantity of a state in the paper's order: its function, its form, and its numbers row by row.
+/// Every quantity of a state in the paper's order: its function, its form, and its numbers row by row. A warning at the top names those
+/// that are not finite.
 pub fn equations_text(state: &Parsed) -> String {
     let of_a_kind = |entry: &&Entry| match state {
         Parsed::Element(_) => !entry.is_of_a_structure() && !entry.is_of_a_cable(),
@@ -30,7 +31,7 @@ pub fn equations_text(state: &Parsed) -> String {
         Parsed::Cable(state) => evaluate_cable(quantity, state),
         Parsed::System(state) => evaluate_system(quantity, state),
     };
-    let mut text = String::from(head);
+    let (mut body, mut overflown) = (String::new(), Vec::new());
     for entry in CONTENTS.iter().filter(of_a_kind) {
         let number = if entry.equation.is_empty() { String::new() } else { format!("({}) ", entry.equation) };
         let form = match entry.form {
@@ -39,13 +40,25 @@ pub fn equations_text(state: &Parsed) -> String {
             Form::Printed => "  [as printed, wrong]",
             Form::Beyond => "  [not in the paper]",
         };
-        text += &format!("\n{number}{}  {}{form}\n", entry.quantity, entry.function);
-        text += &match value(entry.quantity) {
-            Some(numbers) => values(&numbers, row_length(entry.reference)),
+        body += &format!("\n{number}{}  {}{form}\n", entry.quantity, entry.function);
+        body += &match value(entry.quantity) {
+            Some(numbers) => {
+                if numbers.iter().any(|number| !number.is_finite()) {
+                    overflown.push(entry.quantity);
+                }
+                values(&numbers, row_length(entry.reference))
+            }
             None => "  has no value in this state\n".into(),
         };
     }
-    text
+    let warning = match &overflown[..] {
+        [] => String::new(),
+        names => format!(
+            "\nWARNING: the state's numbers are too large or too small to compute with: not finite are {}.\n",
+            names.join(", ")
+        ),
+    };
+    format!("{head}{warning}{body}")
 }
 
 /// Numbers in a row of the quantity's matrix.
@@ -80,4 +93,21 @@ fn values(numbers: &[f64], row: usize) -> String {
         format!(" {cells}\n")
     };
     numbers.chunks(row).map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::conformance::suite::Suite;
+
+    #[test]
+    fn values_that_overflow_are_told_at_the_top() {
+        let Parsed::Element(mut state) = Suite::embedded().unwrap().cases.remove(0).parsed else { panic!() };
+        let text = |state: &crate::state::ElementState| equations_text(&Parsed::Element(Box::new(state.clone())));
+        assert!(!text(&state).contains("WARNING"));
+        state.e[0] = 1e200;
+        let text = text(&state);
+        let head: Vec<&str> = text.lines().take(4).collect();
+        assert!(head[3].starts_with("WARNING: ") && head[3].contains("19.Q_e") && !head[3].contains("7.M"), "{head:?}");
+    }
 }

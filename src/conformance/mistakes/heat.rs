@@ -4,13 +4,16 @@
 
 use nalgebra::Vector3;
 
-use super::law::with_heat_and_law;
+use super::law::{HEATED, with_heat_and_law};
 use super::{Candidate, Kind, possible};
 use crate::equations::{material, strain};
 use crate::state::{ElementState, ThermalModel, evaluate};
 
 /// The value for each of the strains of [`strains`].
 pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
+    if !matches!(quantity, "8.epsilon_T" | "14.epsilon") && !HEATED.contains(&quantity) {
+        return Vec::new();
+    }
     strains(state)
         .into_iter()
         .map(|(kind, what, eps_T)| possible(kind, what, move || with_heat(quantity, state, &eps_T)))

@@ -22,6 +22,13 @@ pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidat
             possible(Kind::Quadrature, what, move || integrated(quantity, state, &rule))
         };
         all.extend(rules(state).into_iter().map(by));
+        if quantity == "tangent.dQ_e" {
+            all.extend(
+                rules(state)
+                    .into_iter()
+                    .map(|(what, rule)| candidate(Kind::Quadrature, what, move || with_the_right_K(state, &rule))),
+            );
+        }
     }
     all
 }
@@ -93,6 +100,18 @@ fn integrated(quantity: &str, state: &ElementState, rule: &[Point]) -> Option<Ve
         }
         _ => None,
     }
+}
+
+/// The tangent with K as it should be and the material part by another rule: of programs that take K as it is handed over. It has the
+/// same name as the whole tangent by that rule, so that one cause is told once.
+fn with_the_right_K(state: &ElementState, rule: &[Point]) -> Vec<f64> {
+    let (e, element, eps_T) = (Vector14::from(state.e), state.element(), state.eps_T());
+    let (lambda, mu) = (law::lambda(state.E, state.nu), law::mu(state.E, state.nu));
+    let by = |points: &[Point]| {
+        let own = |s: &Station| s.S_1.map(|S_1| S_1 * e);
+        material(&stations(&e, &element, points), own, stiffness(lambda, mu))
+    };
+    rows(&(crate::equations::force::tangent(&e, &eps_T, lambda, mu, &element) - by(&exact(state)) + by(rule)))
 }
 
 /// The constants between the three strains.

@@ -10,12 +10,17 @@ use crate::equations::material as law;
 use crate::equations::shape::Vector14;
 use crate::state::{ElementState, evaluate};
 
+/// Quantities that both heat and λ and μ enter, or their parts.
+pub(super) const HEATED: [&str; 7] = ["18.U", "21.K_1", "21.K_2", "21.K_3", "20.K", "19.Q_e", "tangent.dQ_e"];
+
 /// Other constants: of (17) itself every product of powers, of what it enters the known mistakes.
 pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     match quantity {
         "17.lambda" => products(state, "λ"),
         "17.mu" => products(state, "μ"),
-        _ => laws(quantity, state),
+        "16.D" | "15.sigma" => laws(quantity, state),
+        _ if HEATED.contains(&quantity) => laws(quantity, state),
+        _ => Vec::new(),
     }
 }
 

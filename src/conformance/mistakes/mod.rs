@@ -116,7 +116,8 @@ fn kinds(quantity: &str, observations: &[Observation]) -> Vec<Name> {
     let answered = |o: &&Observation| !matches!(o.seen, Seen::Fault(_)) && o.case.values.contains_key(quantity);
     let (right, failing): (Vec<&Observation>, Vec<&Observation>) =
         observations.iter().filter(answered).partition(|o| o.seen == Seen::Right);
-    if failing.is_empty() {
+    // Where nothing but errors and other shapes came, there is nothing that a kind could explain.
+    if !failing.iter().any(|o| matches!(o.seen, Seen::Numbers(_))) {
         return Vec::new();
     }
     // Failing ones first: they leave the fewest to be compared with the others.

@@ -206,3 +206,35 @@ fn rules_configurations_and_copied_lines() {
     });
     assert!(finding.kinds[0].1.starts_with("2 a bᵀ for a bᵀ + b aᵀ"), "{finding:?}");
 }
+
+#[test]
+fn the_tangents_own_part_by_another_rule() {
+    for (points_of, name) in [(2, "2 × 3 Gauss points"), (4, "4 × 3 Gauss points")] {
+        // With K as it is handed over.
+        let finding = assert_first("tangent.dQ_e", Kind::Quadrature, |state, right| {
+            let (lambda, mu) = (evaluate("17.lambda", state).unwrap()[0], evaluate("17.mu", state).unwrap()[0]);
+            let stiff = lambda + 2.0 * mu;
+            let weights = [[stiff, lambda, 0.0], [lambda, stiff, 0.0], [0.0, 0.0, 4.0 * mu]];
+            let (e, element) = (state.e.into(), state.element());
+            let part = |rule: &[crate::equations::volume::Point]| {
+                stations::material(&stations::stations(&e, &element, rule), |s| s.S_1.map(|S_1| S_1 * e), weights)
+            };
+            let coarse = stations::points(state, stations::gauss(points_of), stations::gauss(3), |xi, eta| (xi, eta));
+            let more = rows(&(part(&coarse) - part(&stations::exact(state))));
+            right.numbers.iter().zip(more).map(|(right, more)| right + more).collect()
+        });
+        assert_eq!(finding.kinds[0].1, name);
+    }
+}
+
+#[test]
+fn errors_and_other_shapes_alone_have_no_kind() {
+    for fault in [Fault::Error("TypeError".into()), Fault::Shape("196; expected 14 × 14".into())] {
+        for quantity in ["3.S", "7.M", "17.mu", "8.epsilon_T", "21.K_3", "19.Q_e"] {
+            let of_quantity = SUITE.cases.iter().filter(|case| case.values.contains_key(quantity));
+            let observations: Vec<Observation> =
+                of_quantity.map(|case| Observation { case, seen: Seen::Refused(&fault) }).collect();
+            assert_eq!(diagnose(quantity, &observations).kinds, [], "{quantity}");
+        }
+    }
+}

@@ -8,6 +8,7 @@ use super::rows::{by_tag, of_quantity, rounded, smallest};
 use crate::conformance::blame::Culprit;
 use crate::conformance::examination::{Examination, Refusal};
 use crate::conformance::graph::equation;
+use crate::conformance::protocol::Hello;
 use crate::conformance::suite::Suite;
 use crate::conformance::verdict::Verdict;
 
@@ -44,19 +45,22 @@ pub fn json(suite: &Suite, examination: &Examination) -> Value {
         };
         Some(json!({"id": invalid.id, "equation": invalid.equation, "key": invalid.key, "outcome": outcome, "detail": detail}))
     }).collect();
+    let culprits = culprits(examination);
     json!({
         "schema": SCHEMA,
         "program": {
             "name": examination.name(),
             "given": examination.hello.as_ref().is_ok_and(|hello| hello.given),
             "no_hello": examination.hello.as_ref().err().map(ToString::to_string),
+            "unknown": examination.hello.iter().flat_map(Hello::unknown).collect::<Vec<_>>(),
         },
         "chatter": {"lines": examination.chatter.lines, "first": examination.chatter.first},
         "ancf": env!("CARGO_PKG_VERSION"),
         "fixtures": suite.versions,
         "passes": examination.passes(),
-        "first_wrong": culprits(examination).first().cloned().unwrap_or(Value::Null),
-        "culprits": culprits(examination),
+        "first_wrong": examination.blame.first_wrong().and_then(|place| culprits.get(place)),
+        "culprits": culprits,
+        "silent": examination.blame.silent,
         "follow": examination.blame.follow.iter().map(|(quantity, input)| json!({"quantity": quantity, "from": input})).collect::<Vec<_>>(),
         "quantities": quantities,
         "tags": tags,
@@ -68,6 +72,7 @@ pub fn json(suite: &Suite, examination: &Examination) -> Value {
 }
 
 fn culprits(examination: &Examination) -> Vec<Value> {
+    let alike = examination.alike();
     let of = |culprit: &Culprit| {
         let finding = examination.findings.iter().find(|(quantity, _)| *quantity == culprit.quantity);
         let finding = finding.map(|(_, finding)| finding.clone()).unwrap_or_default();
@@ -81,7 +86,7 @@ fn culprits(examination: &Examination) -> Vec<Value> {
             "only_where": finding.only_where,
             "failing": finding.failing,
             "without_numbers": finding.without_numbers,
-            "same_as": examination.same_as(culprit.quantity).map(|(quantity, _)| quantity),
+            "same_as": alike.get(culprit.quantity).map(|(quantity, _)| quantity),
         })
     };
     examination.blame.culprits.iter().map(of).collect()

@@ -1,14 +1,15 @@
 //! The report to read and to paste.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use super::rows::{Row, by_tag, of_quantity, smallest};
 use crate::conformance::examination::{Examination, Refusal};
 use crate::conformance::graph::equation;
 use crate::conformance::mistakes::Finding;
+use crate::conformance::protocol::{Hello, quoted};
 use crate::conformance::suite::Suite;
-use crate::conformance::verdict::Verdict;
+use crate::conformance::verdict::{Fault, Verdict};
 
 /// The report to read.
 pub fn markdown(suite: &Suite, examination: &Examination) -> String {
@@ -23,7 +24,7 @@ fn write_markdown(out: &mut String, suite: &Suite, examination: &Examination) ->
     writeln!(out, "## Conformance of {}\n", cell(examination.name()))?;
     writeln!(out, "{}\n", summary(examination))?;
     write_conversation(out, examination)?;
-    write_blame(out, examination)?;
+    write_blame(out, suite, examination)?;
     writeln!(out, "| quantity | | right / asked | digits | smallest failing case |\n|---|---|---|---|---|")?;
     for (quantity, cases) in &examination.verdicts {
         let row = of_quantity(cases);
@@ -84,6 +85,15 @@ fn write_conversation(out: &mut String, examination: &Examination) -> std::fmt::
             cell(&fault.to_string())
         )?;
     }
+    let unknown: Vec<String> =
+        examination.hello.iter().flat_map(Hello::unknown).map(|id| format!("`{}`", cell(&quoted(id)))).collect();
+    if !unknown.is_empty() {
+        writeln!(
+            out,
+            "Its hello lists what is not asked for: {}. Names are those of the table below, letter by letter.\n",
+            unknown.join(", ")
+        )?;
+    }
     let chatter = &examination.chatter;
     if chatter.lines > 0 {
         writeln!(
@@ -97,13 +107,53 @@ fn write_conversation(out: &mut String, examination: &Examination) -> std::fmt::
     Ok(())
 }
 
-fn write_blame(out: &mut String, examination: &Examination) -> std::fmt::Result {
-    let alike = |quantity: &str| examination.same_as(quantity);
+/// Quantities without numbers, by what came in their place.
+fn write_silent(out: &mut String, suite: &Suite, examination: &Examination) -> std::fmt::Result {
+    let mut by_words: BTreeMap<String, Vec<&str>> = BTreeMap::new();
+    for (quantity, cases) in examination.verdicts.iter().filter(|(name, _)| examination.blame.silent.contains(name)) {
+        let words: BTreeSet<&str> = cases.iter().filter_map(|(_, verdict)| fault_word(verdict)).collect();
+        by_words.entry(Vec::from_iter(words).join(", ")).or_default().push(quantity);
+    }
+    for (words, quantities) in by_words {
+        let first = examination.verdicts.iter().find(|(quantity, _)| quantities.first() == Some(quantity));
+        let example = first.and_then(|(_, cases)| smallest(suite, cases));
+        let example = example.map(|(n, verdict)| failing(suite, *n, verdict)).unwrap_or_default();
+        let named: Vec<String> = quantities.iter().map(|quantity| format!("`{quantity}`")).collect();
+        let (title, pronoun) = match quantities.len() {
+            1 => ("It answers no numbers for", "its equation is"),
+            _ => ("It answers no numbers for any of", "their equations are"),
+        };
+        writeln!(
+            out,
+            "**{title} {}: {words}.** The first: {example}. Whether {pronoun} wrong is not known.\n",
+            named.join(", ")
+        )?;
+    }
+    Ok(())
+}
+
+/// What came in place of numbers.
+fn fault_word(verdict: &Verdict) -> Option<&'static str> {
+    match verdict {
+        Verdict::Fault(Fault::NotAsked(_)) => None,
+        Verdict::Fault(fault) => Some(fault.word()),
+        _ => None,
+    }
+}
+
+fn write_blame(out: &mut String, suite: &Suite, examination: &Examination) -> std::fmt::Result {
+    let alike = examination.alike();
+    write_silent(out, suite, examination)?;
+    let first_wrong = examination.blame.first_wrong();
     for (n, culprit) in examination.blame.culprits.iter().enumerate() {
-        if alike(culprit.quantity).is_some() {
+        if alike.contains_key(culprit.quantity) {
             continue;
         }
-        let which = if n == 0 { "First wrong equation" } else { "Wrong by itself too" };
+        let which = match culprit.numbers {
+            true if first_wrong == Some(n) => "First wrong equation",
+            true => "Wrong by itself too",
+            false => "No wrong number, but none in some cases",
+        };
         writeln!(
             out,
             "**{which}: ({}), `{}`.** {}.",
@@ -116,8 +166,8 @@ fn write_blame(out: &mut String, examination: &Examination) -> std::fmt::Result 
         }
         let mut same: BTreeMap<&str, Vec<String>> = BTreeMap::new();
         for other in &examination.blame.culprits {
-            if let Some((first, (_, what))) = alike(other.quantity)
-                && first == culprit.quantity
+            if let Some((first, (_, what))) = alike.get(other.quantity)
+                && *first == culprit.quantity
             {
                 same.entry(what).or_default().push(format!("`{}`", other.quantity));
             }

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::conformance::examination::{Examination, Refusal};
 use crate::conformance::suite::Suite;
-use crate::conformance::verdict::Verdict;
+use crate::conformance::verdict::{Fault, Verdict};
 
 /// Counts of one quantity, or of one tag.
 #[derive(Clone, Debug, Default)]
@@ -48,10 +48,13 @@ pub(super) fn rounded(digits: f64) -> f64 {
     (digits * 10.0).round() / 10.0
 }
 
-/// The failing case with the fewest tags: the fewest things that can be wrong.
+/// The failing case with the fewest tags: the fewest things that can be wrong. One that was asked for comes before those that were not.
 pub(super) fn smallest<'a>(suite: &Suite, cases: &'a [(usize, Verdict)]) -> Option<&'a (usize, Verdict)> {
     let tags = |n: usize| suite.cases.get(n).map_or(usize::MAX, |case| case.tags.len());
-    cases.iter().filter(|(_, verdict)| verdict.fails()).min_by_key(|(n, _)| (tags(*n), *n))
+    cases.iter().filter(|(_, verdict)| verdict.fails()).min_by_key(|(n, verdict)| {
+        let unasked = matches!(verdict, Verdict::Fault(Fault::NotAsked(_)));
+        (unasked, tags(*n), *n)
+    })
 }
 
 pub(super) fn of_quantity(cases: &[(usize, Verdict)]) -> Row {
@@ -77,4 +80,20 @@ pub(super) fn by_tag(suite: &Suite, examination: &Examination) -> BTreeMap<Strin
         }
     }
     rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_not_asked_is_no_smallest_case() {
+        let suite = Suite::embedded().unwrap();
+        let tags = |n: &usize| suite.cases[*n].tags.len();
+        let (few, many) = ((0..34).min_by_key(tags).unwrap(), (0..34).max_by_key(tags).unwrap());
+        let fault = |n, fault: fn(String) -> Fault| (n, Verdict::Fault(fault(String::new())));
+        let cases = [fault(few, Fault::NotAsked), fault(many, Fault::Crash)];
+        assert_eq!(smallest(&suite, &cases), Some(&cases[1]));
+        assert_eq!(smallest(&suite, &cases[..1]), Some(&cases[0]));
+    }
 }
