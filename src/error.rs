@@ -43,9 +43,9 @@ pub enum Error {
     /// Newton's iteration stopped short of its tolerance.
     #[error(
         "Newton's iteration did not converge at t = {} s: residual {residual:.3e} of the largest \
-         force term after {iterations} iterations (tolerance {tolerance:.1e}); a smaller `time.step` helps, and where heat \
-         or a force comes suddenly a `history` that lets it grow, or \"explicit\", which iterates nothing",
-        rounded(*time)
+         force term after {iterations} iterations (tolerance {tolerance:.1e}); {}",
+        rounded(*time),
+        cure_of_iteration(*residual, *at_rounding)
     )]
     NewtonFailed {
         /// Time at the end of the failed step, s.
@@ -56,11 +56,13 @@ pub enum Error {
         residual: f64,
         /// Tolerance it had to reach.
         tolerance: f64,
+        /// Whether the residual is of the order of rounding errors of the elastic forces, which no step makes less.
+        at_rounding: bool,
     },
     /// Statics did not find an equilibrium.
     #[error(
-        "no equilibrium was found at {} of the load: {reason}; more `time.load_steps` help, unless the structure \
-         buckles there",
+        "no equilibrium was found at {} of the load: {reason}; more `time.load_steps` help, or more `elements` where rods \
+         bend far, unless the structure buckles there",
         rounded(*factor)
     )]
     NoEquilibrium {
@@ -161,15 +163,17 @@ pub enum Error {
     },
     /// The estimated error of a run leaves no digit of it.
     #[error(
-        "the positions are off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, of {moved:.1e} m that they move: \
+        "the {place} is off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, beside a motion of {moved:.1e} m: \
          no digit is right; a smaller `time.step` or `time.tolerance`, more `elements`, or a `history` for what comes suddenly help"
     )]
     Inaccurate {
+        /// What is off most, in words.
+        place: String,
         /// The step's part, m.
         time: f64,
         /// The mesh's part, m.
         space: f64,
-        /// The largest distance from where a point starts, m.
+        /// The motion beside which it is judged, m.
         moved: f64,
     },
     /// A run from which an error would have been estimated failed.
@@ -330,6 +334,19 @@ fn rounded(time: f64) -> f64 {
 fn when(time: f64, statics: bool) -> String {
     let time = rounded(time);
     if statics { format!("{time} of the load") } else { format!("t = {time} s") }
+}
+
+/// What helps where an iteration does not converge.
+fn cure_of_iteration(residual: f64, at_rounding: bool) -> &'static str {
+    if !residual.is_finite() {
+        "numbers have left their range: a load, `E` or `rho` is far too large or too small, or a step too long"
+    } else if at_rounding {
+        "it has stopped at rounding errors of the elastic forces, as `E` is large beside the loads: a larger `time.newton_tolerance` helps, \
+         or fewer elements"
+    } else {
+        "a smaller `time.step` helps, and where heat or a force comes suddenly a `history` that lets it grow, or \"explicit\", which \
+         iterates nothing"
+    }
 }
 
 /// What helps where a method's steps are too long for what comes suddenly.

@@ -1,20 +1,28 @@
 //! How far a run may be from the solution of its equations: in time and in space.
 //!
-//! The run is made again with half the step (adaptive: of the longest, and a tenth of the tolerance; in statics twice the load steps) and of Newton's tolerance a tenth, and with twice the elements. What
-//! that changes of the positions is most of the error where it falls fast, and half of it where it only halves: an estimate is twice
-//! the change. Positions are those of all points, and deflections those of the probes and of rods between held points, whether a probe
-//! asks for them or not. Velocities, accelerations, reactions and energies are not estimated: after a shock they may not converge at all.
-//! Neither a kept energy nor the sum of an adaptive method's local errors says as much: the first knows nothing of
-//! places, and the second nothing of how errors grow or cancel on their way.
+//! The run is made again with half the step (adaptive: of the longest, and a tenth of the tolerance; in statics twice the load steps)
+//! and a tenth of Newton's tolerance, and with twice the elements. What that changes of the positions is most of the error where it
+//! falls fast, and half of it where it only halves: an estimate is twice the change. Positions are those of all points, and
+//! deflections those of the probes and of rods between held points, whether a probe asks for them or not. Velocities, accelerations,
+//! reactions and energies are not estimated: after a shock they may not converge at all. Neither a kept energy nor the sum of an
+//! adaptive method's local errors says as much: the first knows nothing of places, and the second nothing of how errors grow or
+//! cancel on their way.
+//!
+//! What both runs miss changes nothing. Where a history comes and goes within a step (`run::short`) the finer steps are as many in one
+//! as it takes to see it, sixteen at most, and without them there is no estimate.
+//!
+//! **No digit.** Each place is judged beside its own motion: the way from its start, or from where the initial translation alone would have
+//! taken it, whichever is shorter, so that neither a far journey nor another part's swing hides it. A place that moves by
+//! less than a millionth of the structure's size is judged beside the one that moves farthest.
 
 use std::collections::BTreeSet;
 
 use serde::Serialize;
 
 use crate::error::{Error, Result};
-use crate::integrators::integrator;
+use crate::integrators::{State, integrator};
 use crate::plan::Plan;
-use crate::run::{Run, moves, run, run_with_progress};
+use crate::run::{Run, missed, moves, run, run_with_progress};
 use crate::scene::{Method, Probe, Quantity, Scene};
 use crate::structure::Structure;
 
@@ -24,14 +32,20 @@ const SAFETY: f64 = 2.0;
 /// A result whose estimated error is more than this part of its motion has no digit to rely on.
 const NO_DIGIT: f64 = 0.1;
 
+/// Motion of a place, of the structure's size, that is too small to judge it by.
+const HARDLY: f64 = 1e-6;
+
 /// Newton's tolerance below which rounding ends the iteration.
 const LEAST_TOLERANCE: f64 = 1e-12;
 
-/// How often a step may be halved until it is stable on the finer mesh (explicit methods), or makes more steps (adaptive ones).
+/// How often the longest step of an adaptive method may be halved until it makes more steps.
 const HALVINGS: usize = 6;
 
 /// Steps of a finer run over those of the run: a tenth of the tolerance makes 1.8 times as many.
 const MORE: f64 = 1.5;
+
+/// Most steps in one of the run's for what comes and goes within it.
+const MOST_PARTS: usize = 16;
 
 /// An estimated error.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -63,45 +77,33 @@ impl Accuracy {
 /// Runs a scene and estimates its errors; `on_step` hears of the steps of the run itself.
 ///
 /// # Errors
-/// Those of [`run`]; [`Error::NoEstimate`] where a finer run fails, and [`Error::Inaccurate`] where the estimate is more than a tenth of
-/// the motion, and [`Error::Unstable`] for an equilibrium that is.
+/// Those of [`run`]; [`Error::NoEstimate`] where a finer run fails, and [`Error::Inaccurate`] where an estimate is more than a tenth of
+/// the motion of its place, and [`Error::Unstable`] for an equilibrium that is.
 pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     scene.validate("scene")?;
-    let no_estimate = |what: &str, error: Error| Error::NoEstimate { what: what.into(), reason: error.to_string() };
     let watched = watched(scene);
     watched.validate("scene").map_err(|error| no_estimate("a probe of each point", error))?;
     let mut own = run_with_progress(&watched, on_step)?;
-    let (mut finer, how) = finer_in_time(&watched);
-    let mut in_time = run(&finer).map_err(|error| no_estimate(&how, error))?;
-    // Where rows and corners of histories are closer than half the longest step, all steps would be the same.
-    for _ in 0..HALVINGS {
-        if !watched.time.method.is_adaptive() || in_time.counts.steps as f64 >= MORE * own.counts.steps as f64 {
-            break;
-        }
-        finer.time.step /= 2.0;
-        in_time = run(&finer).map_err(|error| no_estimate(&how, error))?;
-    }
-    let time = SAFETY * change(&watched, &own, &finer, &in_time);
+    let (finer, in_time, how) = finer_in_time(&watched, &own)?;
+    let places = places(&watched);
+    let time = changes(&places, &watched, &own, &finer, &in_time);
 
     // Explicit steps have to be shorter on a finer mesh, and are compared with as short ones.
     let explicit = watched.time.method.is_explicit();
     let (base, base_run) = if explicit { (&finer, &in_time) } else { (&watched, &own) };
     let mut mesh = base.clone();
     mesh.rods.iter_mut().for_each(|rod| rod.elements *= 2);
-    let on_mesh = format!("twice the elements{}", if explicit { " at half the step" } else { "" });
-    let fine = stable(mesh).and_then(|mesh| Ok((run(&mesh)?, mesh))).map_err(|error| no_estimate(&on_mesh, error))?;
-    let space = SAFETY * change(base, base_run, &fine.1, &fine.0);
+    let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
+    let mesh = stable(mesh).map_err(|error| no_estimate(&on_mesh, error))?;
+    let on_finer = run(&mesh).map_err(|error| no_estimate(&on_mesh, error))?;
+    let space = changes(&places, base, base_run, &mesh, &on_finer);
 
-    let directions = [&own, &in_time, &fine.0].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
+    let directions = [&own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
     if directions > 0 {
         return Err(Error::Unstable { directions });
     }
-    let moved = motion(&watched, &own);
-    // Where nothing moves the structure there is no motion to compare with. A NaN is not small.
-    let small = time + space <= NO_DIGIT * moved || (!moves(scene) && time + space <= NO_DIGIT * scene.size());
-    if !small {
-        return Err(Error::Inaccurate { time, space, moved });
-    }
+    judge(&watched, &places, &own, &time, &space)?;
+    let [time, space] = [time, space].map(|errors| errors.into_iter().fold(0.0, f64::max));
     let estimate = |value, method: &str| {
         let method = format!(
             "{SAFETY} × the largest change of a position by {method}; velocities, reactions and energies are not estimated"
@@ -110,9 +112,9 @@ pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     };
     own.accuracy = Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh) };
     let columns = scene.columns();
-    let places: Vec<usize> =
+    let kept: Vec<usize> =
         columns.iter().filter_map(|name| own.trajectory.columns.iter().position(|c| c == name)).collect();
-    own.trajectory.rows.iter_mut().for_each(|row| *row = places.iter().map(|place| row[*place]).collect());
+    own.trajectory.rows.iter_mut().for_each(|row| *row = kept.iter().map(|column| row[*column]).collect());
     own.trajectory.columns = columns;
     Ok(own)
 }
@@ -143,90 +145,185 @@ fn watched(scene: &Scene) -> Scene {
     watched
 }
 
-/// The scene with its steps made finer, and in words how.
-fn finer_in_time(scene: &Scene) -> (Scene, String) {
+fn no_estimate(what: &str, error: Error) -> Error {
+    Error::NoEstimate { what: what.into(), reason: error.to_string() }
+}
+
+/// The scene with its steps made finer, its run, and in words how.
+fn finer_in_time(scene: &Scene, own: &Run) -> Result<(Scene, Run, String)> {
     let mut finer = scene.clone();
-    let mut how = match scene.time.method {
+    let how = match scene.time.method {
         Method::Static => {
             finer.time.load_steps *= 2;
-            "twice the load steps"
+            "twice the load steps".into()
         }
-        method => {
-            finer.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
-            finer.time.step /= 2.0;
-            if method.is_adaptive() {
-                finer.time.tolerance /= 10.0;
-                // Where the tolerance asks for less than the longest step it is the step that decides.
-                "a tenth of the tolerance and half the longest step"
-            } else {
-                "half the step"
-            }
+        method if method.is_adaptive() => {
+            divide(&mut finer, 2);
+            finer.time.tolerance /= 10.0;
+            // Where the tolerance asks for less than the longest step it is the step that decides.
+            "a tenth of the tolerance and half the longest step".into()
         }
+        _ => {
+            let parts = parts(scene)?;
+            divide(&mut finer, parts);
+            if parts == 2 { "half the step".into() } else { format!("1/{parts} of the step") }
+        }
+    };
+    let (mut run_of_it, how) = with_finer_newton(&mut finer, how)?;
+    // Where rows and corners of histories are closer than half the longest step, all steps would be the same.
+    for _ in 0..HALVINGS {
+        if !scene.time.method.is_adaptive() || run_of_it.counts.steps as f64 >= MORE * own.counts.steps as f64 {
+            break;
+        }
+        divide(&mut finer, 2);
+        run_of_it = run(&finer).map_err(|error| no_estimate(&how, error))?;
     }
-    .to_string();
+    Ok((finer, run_of_it, how))
+}
+
+/// Runs the scene with a tenth of Newton's tolerance; with its own where rounding leaves no less.
+fn with_finer_newton(finer: &mut Scene, how: String) -> Result<(Run, String)> {
+    let tolerance = finer.time.newton_tolerance;
     // Steps of any length end their iteration alike.
-    let tolerance = scene.time.newton_tolerance;
-    if !scene.time.method.is_explicit() && tolerance > LEAST_TOLERANCE {
+    if !finer.time.method.is_explicit() && tolerance > LEAST_TOLERANCE {
         finer.time.newton_tolerance = (tolerance / 10.0).max(LEAST_TOLERANCE);
-        how += ", a tenth of Newton's tolerance";
+        let how = format!("{how}, a tenth of Newton's tolerance");
+        match run(finer) {
+            Err(Error::NewtonFailed { at_rounding: true, .. }) => finer.time.newton_tolerance = tolerance,
+            Err(error) => return Err(no_estimate(&how, error)),
+            Ok(run) => return Ok((run, how)),
+        }
     }
-    (finer, how)
+    let run = run(finer).map_err(|error| no_estimate(&how, error))?;
+    Ok((run, how))
+}
+
+/// In how many parts a step has to be divided until no history comes and goes within one.
+fn parts(scene: &Scene) -> Result<usize> {
+    let step = scene.time.step;
+    let sees_all = |parts: &usize| missed(scene, step / *parts as f64).is_none();
+    (2..=MOST_PARTS).find(sees_all).ok_or_else(|| {
+        let short = missed(scene, step / MOST_PARTS as f64).map_or(String::new(), |short| {
+            format!(
+                "{} rises and falls within less than that, in as little as {:.1e} s; a smaller `time.step` helps, or a method that \
+                 chooses its steps",
+                short.what, short.length
+            )
+        });
+        Error::NoEstimate { what: format!("1/{MOST_PARTS} of the step"), reason: short }
+    })
+}
+
+/// Divides the step and leaves the rows.
+fn divide(scene: &mut Scene, parts: usize) {
+    scene.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
+    scene.time.step /= parts as f64;
 }
 
 /// The scene with a step that its explicit method takes.
 fn stable(mut scene: Scene) -> Result<Scene> {
     let plan = Plan::of(&scene);
     scene.validate("the finer mesh")?;
-    for _ in 0..HALVINGS {
-        let structure = Structure::planned(&scene, &plan)?;
-        let state = crate::integrators::State::at_start(&structure);
-        match integrator(&scene, &plan, &structure, &state, &mut Default::default()) {
-            Err(Error::StepTooLarge { .. }) => {
-                scene.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
-                scene.time.step /= 2.0;
-            }
-            _ => break,
-        }
+    let structure = Structure::planned(&scene, &plan)?;
+    let state = State::at_start(&structure);
+    if let Err(Error::StepTooLarge { step, largest, .. }) =
+        integrator(&scene, &plan, &structure, &state, &mut Default::default())
+    {
+        divide(&mut scene, (step / largest).ceil() as usize);
     }
     Ok(scene)
 }
 
-/// Columns of a position, in pairs, and of a deflection.
-fn places(scene: &Scene) -> Vec<Vec<usize>> {
+/// What is compared: a position, or a deflection.
+struct Place {
+    /// In words.
+    name: String,
+    columns: Vec<usize>,
+    /// Of the initial translation, m/s.
+    velocity: [f64; 2],
+}
+
+fn places(scene: &Scene) -> Vec<Place> {
+    let translation = scene.motion.as_ref().map_or([0.0; 2], |motion| motion.velocity);
     let mut column = 1;
     let mut places = Vec::new();
-    for quantity in scene.probes.iter().flat_map(|probe| &probe.of) {
-        let count = quantity.suffixes().len();
-        if matches!(quantity, Quantity::Position | Quantity::Deflection) {
-            places.push((column..column + count).collect());
+    for probe in &scene.probes {
+        for quantity in &probe.of {
+            let columns: Vec<usize> = (column..column + quantity.suffixes().len()).collect();
+            column += columns.len();
+            let whose = match (&probe.point, &probe.rod) {
+                (Some(point), _) => format!("`{point}`"),
+                (None, rod) => format!("the rod `{}`", rod.as_deref().unwrap_or_default()),
+            };
+            let (what, velocity) = match quantity {
+                Quantity::Position => ("position", translation),
+                Quantity::Deflection => ("deflection", [0.0; 2]),
+                _ => continue,
+            };
+            places.push(Place { name: format!("{what} of {whose}"), columns, velocity });
         }
-        column += count;
     }
     places
 }
 
-/// The largest distance of two runs' positions at the rows of the first; not a number where one of them is not.
-fn change(scene: &Scene, own: &Run, other: &Scene, finer: &Run) -> f64 {
+/// Estimated errors of the places: twice the largest distance of two runs at the rows of the first; not a number where one of them
+/// is not.
+fn changes(places: &[Place], scene: &Scene, own: &Run, other: &Scene, finer: &Run) -> Vec<f64> {
     let every = if scene.time.method == Method::Static { other.time.load_steps / scene.time.load_steps } else { 1 };
-    let rows = finer.trajectory.rows.iter().step_by(every);
-    if own.trajectory.rows.len() != rows.len() {
-        return f64::NAN;
+    let (rows, others) = (&own.trajectory.rows, finer.trajectory.rows.iter().step_by(every));
+    if rows.len() != others.len() {
+        return vec![f64::NAN; places.len()];
     }
-    largest(scene, own.trajectory.rows.iter().zip(rows))
-}
-
-/// How far positions get from where they start.
-fn motion(scene: &Scene, own: &Run) -> f64 {
-    let Some(first) = own.trajectory.rows.first() else { return f64::NAN };
-    largest(scene, own.trajectory.rows.iter().map(|row| (row, first)))
-}
-
-fn largest<'a>(scene: &Scene, pairs: impl Iterator<Item = (&'a Vec<f64>, &'a Vec<f64>)>) -> f64 {
-    let places = places(scene);
-    let apart = |(a, b): (&Vec<f64>, &Vec<f64>)| {
-        let distance = |columns: &Vec<usize>| columns.iter().map(|c| (a[*c] - b[*c]).powi(2)).sum::<f64>().sqrt();
-        places.iter().map(distance).max_by(f64::total_cmp).unwrap_or(f64::NAN)
+    let change = |place: &Place| {
+        let apart = |(a, b): (&Vec<f64>, &Vec<f64>)| norm(place.columns.iter().map(|column| a[*column] - b[*column]));
+        SAFETY * largest(rows.iter().zip(others.clone()).map(apart))
     };
-    // In the total order NaN is the largest, and is not lost.
-    pairs.map(apart).max_by(f64::total_cmp).unwrap_or(f64::NAN)
+    places.iter().map(change).collect()
+}
+
+/// Refuses errors that leave no digit of a place's motion.
+///
+/// # Errors
+/// [`Error::Inaccurate`] of the worst place.
+fn judge(scene: &Scene, places: &[Place], own: &Run, time: &[f64], space: &[f64]) -> Result<()> {
+    let Some(first) = own.trajectory.rows.first() else { return Ok(()) };
+    // From the start, or from where it would be without loads.
+    let way = |place: &Place, coasts: f64| {
+        let gone = |row: &Vec<f64>| {
+            let straight = place.velocity.map(|velocity| coasts * velocity * (row[0] - first[0]));
+            norm(place.columns.iter().zip(straight).map(|(column, straight)| row[*column] - first[*column] - straight))
+        };
+        largest(own.trajectory.rows.iter().map(gone))
+    };
+    let farthest = largest(places.iter().map(|place| way(place, 0.0)));
+    let (size, resting) = (scene.size(), !moves(scene));
+    let judged = |((place, time), space): ((&Place, &f64), &f64)| {
+        let own = way(place, 0.0).min(way(place, 1.0));
+        // Where nothing moves the structure there is no motion to compare with.
+        let moved = if resting {
+            farthest.max(size)
+        } else if own >= HARDLY * size {
+            own
+        } else {
+            farthest
+        };
+        // A NaN is not small.
+        let small = time + space <= NO_DIGIT * moved;
+        (!small).then(|| Error::Inaccurate { place: place.name.clone(), time: *time, space: *space, moved })
+    };
+    let share = |error: &Error| match error {
+        Error::Inaccurate { time, space, moved, .. } => (time + space) / moved,
+        _ => 0.0,
+    };
+    let bad = places.iter().zip(time).zip(space).filter_map(judged);
+    bad.max_by(|a, b| share(a).total_cmp(&share(b))).map_or(Ok(()), Err)
+}
+
+fn norm(components: impl Iterator<Item = f64>) -> f64 {
+    components.map(|component| component * component).sum::<f64>().sqrt()
+}
+
+/// In the total order NaN is the largest, and is not lost.
+fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
+    sizes.max_by(f64::total_cmp).unwrap_or(f64::NAN)
 }

@@ -27,6 +27,9 @@ const STUCK: f64 = 0.25;
 /// How many times the rounding error of one force a residual of several may be.
 const ROUNDINGS: f64 = 8.0;
 
+/// How many times that a residual may be for rounding to be what it failed for.
+const NEAR: f64 = 100.0;
+
 /// The size of what should vanish, and the largest of the forces it is made of, N, by which it is judged.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual {
@@ -184,7 +187,8 @@ impl Newton {
             if !finite || matrices == MOST_MATRICES {
                 self.has_matrix = false;
                 let (residual, tolerance) = (size / largest_term, self.tolerance);
-                return Err(Error::NewtonFailed { time, iterations, residual, tolerance });
+                let at_rounding = finite && equations.at_rounding(NEAR * ROUNDINGS);
+                return Err(Error::NewtonFailed { time, iterations, residual, tolerance, at_rounding });
             }
             if needs_matrix {
                 matrices += 1;

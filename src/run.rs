@@ -4,6 +4,7 @@ mod doubts;
 mod energy;
 mod loads;
 mod recorder;
+mod short;
 mod warnings;
 
 use std::time::Instant;
@@ -11,6 +12,7 @@ use std::time::Instant;
 use doubts::Watch;
 pub(crate) use loads::moves;
 use recorder::Recorder;
+pub(crate) use short::missed;
 use warnings::warnings;
 
 use crate::counts::Counts;
@@ -96,7 +98,9 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
             if works {
                 before.copy_from(&state);
             }
-            method.step(&structure, &mut state, t, &mut counts)?;
+            method
+                .step(&structure, &mut state, t, &mut counts)
+                .map_err(|error| watch.cause(&structure, &state, error))?;
             if works {
                 match method.work(&structure, &before, &state) {
                     Some(work) => recorder.put_in(work),

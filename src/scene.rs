@@ -32,7 +32,7 @@ use serde::{Deserialize, Serialize};
 pub use builtin::{builtin_names, builtin_text};
 pub use choice::{Constraints, Direction, Element, Form, Method, Poisson, Quantity, Schema, Start, ThermalModel};
 pub use heat::Temperature;
-pub(crate) use history::times_of;
+pub(crate) use history::{interpolate, times_of};
 pub use loads::Force;
 pub use motion::Motion;
 pub(crate) use parse::{Refused, nearest, read_json};

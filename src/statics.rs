@@ -109,7 +109,7 @@ impl Integrator for Statics {
 /// What Newton's iteration has to say, in terms of loads instead of times.
 fn no_equilibrium(error: Error) -> Error {
     match error {
-        Error::NewtonFailed { time: factor, iterations, residual, tolerance } => {
+        Error::NewtonFailed { time: factor, iterations, residual, tolerance, .. } => {
             let reason = format!(
                 "residual {residual:.3e} of the largest force term after {iterations} iterations (tolerance {tolerance:.1e})"
             );

@@ -143,3 +143,78 @@ fn energies_that_do_not_balance_are_warned_of() {
     // A rod at rest, where rounding is all that there is.
     assert_eq!(warned("free-rod-heated", Method::GeneralizedAlpha, 1e-3, 100.0), None);
 }
+
+/// A rod that only goes on turning: however slowly, rounding is as small beside its path.
+#[test]
+fn a_slow_rotation_is_no_rounding() {
+    let turning = |modulus: f64, omega: f64, end: f64, held: bool, method: Method| {
+        let mut scene = stiff();
+        (scene.material.youngs_modulus, scene.gravity, scene.time.method) = (modulus, [0.0; 2], method);
+        (scene.time.step, scene.time.end, scene.output.interval) = (end / 100.0, end, Some(end / 10.0));
+        scene.motion = Some(Motion { omega, about: [if held { 0.0 } else { 0.5 }, 0.0], ..Motion::default() });
+        if !held {
+            scene.supports.clear();
+        }
+        scene
+    };
+    for method in [Method::EnergyMomentum, Method::GeneralizedAlpha, Method::Gauss] {
+        for (modulus, omega, end, held) in
+            [(2e11, 1e-6, 1.0, false), (2e8, 1e-9, 10.0, false), (2e8, 1e-9, 1.0, true), (2e8, 1e-6, 10.0, false)]
+        {
+            let run = must_run(&turning(modulus, omega, end, held, method));
+            let [x, y] = *positions(&run, "tip").last().unwrap();
+            let (arm, angle) = (if held { 1.0 } else { 0.5 }, omega * end);
+            let off = (x - 1.0 - arm * (angle.cos() - 1.0)).hypot(y - arm * angle.sin());
+            println!("{method}, E = {modulus:e}, {omega:e} rad/s: off by {:.1e} of the path", off / (arm * angle));
+            assert!(off < 1e-6 * arm * angle && run.warnings.is_empty(), "{off:e} {:?}", run.warnings);
+        }
+    }
+    for omega in [1e-6, 1.0] {
+        assert_lost("a rotation", &turning(2e20, omega, 2.0, true, Method::EnergyMomentum));
+    }
+}
+
+/// A step that fails before the first row fails for rounding all the same.
+#[test]
+fn rounding_is_named_where_a_step_fails() {
+    let mut scene = stiff();
+    (scene.material.youngs_modulus, scene.output.interval) = (1e300, Some(1.0));
+    assert_lost("a stiffness beyond all measure", &scene);
+}
+
+/// Numbers out of range are no matter of steps.
+#[test]
+fn numbers_out_of_range_are_named() {
+    for change in [
+        |scene: &mut Scene| scene.material.rho = 1e-300,
+        |scene: &mut Scene| scene.forces.push(force("a", [0.0, 1e300], None)),
+    ] {
+        let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+        scene.time.method = Method::GeneralizedAlpha;
+        change(&mut scene);
+        let message = run(&scene).unwrap_err().to_string();
+        assert!(message.contains("numbers have left their range") && !message.contains("`history`"), "{message}");
+    }
+}
+
+/// A pulse between two steps is missed, and a ramp is not.
+#[test]
+fn a_history_within_a_step_is_warned_of() {
+    let warned = |method: Method, history: Vec<[f64; 2]>| {
+        let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+        (scene.rods[0].elements, scene.time.method) = (1, method);
+        (scene.time.step, scene.time.end, scene.output.interval) = (1e-3, 0.01, None);
+        scene.forces.push(force("a", [0.0, 1.0], Some(history)));
+        must_run(&scene).warnings.into_iter().find(|warning| warning.contains("miss it"))
+    };
+    let pulse = vec![[0.0, 0.0], [4.05e-3, 0.0], [4.25e-3, 1.0], [4.5e-3, 0.0]];
+    for method in [Method::EnergyMomentum, Method::GeneralizedAlpha, Method::Gauss] {
+        let warning = warned(method, pulse.clone()).unwrap();
+        assert!(warning.contains("the force at `a`") && warning.contains("2.0e-4 s"), "{warning}");
+        assert_eq!(warned(method, vec![[4.05e-3, 0.0], [4.25e-3, 1.0]]), None);
+        assert_eq!(warned(method, vec![[4e-3, 0.0], [5e-3, 1.0], [6e-3, 0.0]]), None);
+        // It is there at the start, and soon gone.
+        assert!(warned(method, vec![[0.0, 1.0], [1e-4, 0.0]]).is_some());
+    }
+    assert_eq!(warned(Method::GaussAdaptive, pulse), None);
+}

@@ -195,7 +195,7 @@ fn a_newton_failure_names_time_and_residual() {
     (scene.time.method, scene.time.step, scene.time.end) = (Method::EnergyMomentum, 0.01, 1.0);
     scene.output.interval = None;
     match run(&scene) {
-        Err(Error::NewtonFailed { time, iterations, residual, tolerance }) => {
+        Err(Error::NewtonFailed { time, iterations, residual, tolerance, .. }) => {
             assert!(time > 0.0 && iterations > 0 && residual > tolerance);
         }
         other => panic!("{:?}", other.map(|run| run.counts)),

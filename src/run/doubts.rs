@@ -80,6 +80,18 @@ impl Watch {
         self.rounding.as_mut().map_or(Ok(()), |rounding| rounding.row(structure, state))
     }
 
+    /// What a step failed for: rounding, where that is as large as the loads.
+    pub fn cause(&mut self, structure: &Structure, state: &State, error: Error) -> Error {
+        let numerical = matches!(
+            error,
+            Error::NewtonFailed { .. } | Error::Singular { .. } | Error::NotFinite { .. } | Error::StepTooSmall { .. }
+        );
+        match self.rounding.as_mut().map(|rounding| rounding.row(structure, state)) {
+            Some(Err(lost)) if numerical => lost,
+            _ => error,
+        }
+    }
+
     fn look(&mut self, structure: &Structure, state: &State) -> Result<()> {
         structure.check_collapse(&self.before, &state.u, state.t)?;
         self.before.copy_from(&state.u);
@@ -109,7 +121,7 @@ impl Watch {
 impl Rounding {
     fn row(&mut self, structure: &Structure, state: &State) -> Result<()> {
         let shares = match &mut self.beside {
-            Beside::Loads(loads) => [loads.all, loads.least].map(|load| structure.rounding_force(&state.u) / load),
+            Beside::Loads(loads) => loads.shares(structure.rounding_force(&state.u), state.t),
             Beside::Known { size, off } => {
                 off.copy_from(&state.u);
                 *off -= structure.start();

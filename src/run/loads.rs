@@ -3,26 +3,45 @@
 //! A load that moves nothing says nothing of the motion and does not count: a force where and along what a support holds its point,
 //! the constant heat of a relaxed start, what a history has after the end, the velocity of a translation. Heat stretches a rod by no
 //! more than its strain, whatever the rod weighs, so that it counts only where nothing else moves the structure.
+//!
+//! So does a rotation that goes on as it began, whose load is what bends the paths, m ω² L. However slow it is, so small are
+//! the displacements that rounding is a part of, and it is not lost before rounding has moved it away: a force F moves a rod by F t²/(2m)
+//! beside the path of ω t L, which is ωt/2 of its share F/(m ω² L) of the load. The less of the two counts.
 
 use std::collections::BTreeMap;
 
-use crate::scene::{Force, Scene, Start, times_of};
+use crate::scene::{Force, Rod, Scene, Start, times_of};
 
 /// Sizes of what moves a structure, N.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Loads {
     /// All of it together; 0 where nothing does.
     pub all: f64,
-    /// The least of its parts: a rod's weight, what bends its path as it turns, the force at a point.
+    /// The least of its parts: a rod's weight, the force at a point; where there is nothing else, what bends a rod's path as it turns.
     pub least: f64,
+    /// Angular velocity of a structure that only goes on turning, rad/s.
+    coasts: Option<f64>,
 }
 
 impl Loads {
     /// Those of a scene that moves in time.
     pub fn of(scene: &Scene) -> Loads {
-        let parts = of_rods(scene).chain(of_points(scene));
-        let loads = Loads::sum(parts);
-        if loads.all > 0.0 { loads } else { Loads::sum(of_heat(scene)) }
+        let acting = Loads::sum(of_weight(scene).chain(of_points(scene)));
+        if acting.all > 0.0 {
+            return Loads { all: acting.all + of_rotation(scene).sum::<f64>(), ..acting };
+        }
+        let turning = Loads::sum(of_rotation(scene));
+        if turning.all > 0.0 {
+            let heated = Loads::sum(of_heat(scene)).all > 0.0;
+            return Loads { coasts: (!heated).then(|| omega(scene).abs()), ..turning };
+        }
+        Loads::sum(of_heat(scene))
+    }
+
+    /// What a force is of all loads, and of the least of them, at time `t`.
+    pub fn shares(&self, force: f64, t: f64) -> [f64; 2] {
+        let grown = self.coasts.map_or(1.0, |omega| (0.5 * omega * t).min(1.0));
+        [self.all, self.least].map(|load| grown * force / load)
     }
 
     fn sum(parts: impl Iterator<Item = f64>) -> Loads {
@@ -30,7 +49,8 @@ impl Loads {
         if parts.is_empty() {
             return Loads::default();
         }
-        Loads { all: parts.iter().sum(), least: parts.into_iter().fold(f64::INFINITY, f64::min) }
+        let least = parts.iter().copied().fold(f64::INFINITY, f64::min);
+        Loads { all: parts.iter().sum(), least, coasts: None }
     }
 }
 
@@ -39,15 +59,25 @@ pub fn moves(scene: &Scene) -> bool {
     Loads::of(scene).all > 0.0
 }
 
-/// Weight of each rod, and m ω² L where the structure turns at first.
-fn of_rods(scene: &Scene) -> impl Iterator<Item = f64> {
-    let omega = scene.motion.as_ref().map_or(0.0, |motion| motion.omega);
+/// Weight of each rod.
+fn of_weight(scene: &Scene) -> impl Iterator<Item = f64> {
     let weight = scene.gravity[0].hypot(scene.gravity[1]);
-    scene.rods.iter().flat_map(move |rod| {
-        let (material, section, length) = (scene.material(rod), scene.section(rod), scene.length(rod));
-        let mass = material.rho * section.height * section.width * length;
-        [mass * weight, mass * omega * omega * length]
-    })
+    scene.rods.iter().map(move |rod| mass(scene, rod) * weight)
+}
+
+/// m ω² L of each rod, where the structure turns at first.
+fn of_rotation(scene: &Scene) -> impl Iterator<Item = f64> {
+    let omega = omega(scene);
+    scene.rods.iter().map(move |rod| mass(scene, rod) * omega * omega * scene.length(rod))
+}
+
+fn omega(scene: &Scene) -> f64 {
+    scene.motion.as_ref().map_or(0.0, |motion| motion.omega)
+}
+
+fn mass(scene: &Scene, rod: &Rod) -> f64 {
+    let section = scene.section(rod);
+    scene.material(rod).rho * section.height * section.width * scene.length(rod)
 }
 
 /// The largest force at each point from the start to the end, less what a support takes.

@@ -1,5 +1,6 @@
 //! Doubts that a scene itself raises.
 
+use super::short::missed;
 use crate::scene::{Element, Form, Method, Poisson, Rod, Scene, Start};
 use crate::structure::Structure;
 
@@ -10,7 +11,19 @@ const STEPS_PER_CROSSING: f64 = 20.0;
 
 /// Doubts that the scene itself raises.
 pub fn warnings(scene: &Scene) -> Vec<String> {
-    shock_warning(scene).into_iter().chain(locking_warning(scene)).chain(form_warning(scene)).collect()
+    let warnings = [shock_warning, missed_warning, locking_warning, form_warning];
+    warnings.iter().filter_map(|warning| warning(scene)).collect()
+}
+
+/// A history that comes and goes between the ends of the steps.
+fn missed_warning(scene: &Scene) -> Option<String> {
+    let step = scene.time.step;
+    let short = missed(scene, step)?;
+    Some(format!(
+        "{} rises and falls within less than the step of {step:e} s, in as little as {:.1e} s: steps may miss it altogether, or take it \
+         for another; a smaller step, or a method that chooses its steps, does not",
+        short.what, short.length
+    ))
 }
 
 /// Rods of the paper's element with ν ≠ 0 are too stiff in bending, whatever the mesh.
@@ -53,8 +66,8 @@ fn shock_warning(scene: &Scene) -> Option<String> {
     if shock && implicit && step * STEPS_PER_CROSSING > crossing {
         return Some(format!(
             "sudden heat starts an axial wave that crosses an element in {crossing:.1e} s, which the step of {step:e} s \
-             does not resolve: positions may be off by millimetres and more, which no energy balance shows; \
-             compare with a smaller step, or use \"explicit\""
+             does not resolve: where it moves the structure across, positions may be off by millimetres and more, which no energy \
+             balance shows; compare with a smaller step, or use \"explicit\""
         ));
     }
     None

@@ -29,7 +29,7 @@ pub(crate) fn times_of<'a>(histories: impl IntoIterator<Item = &'a [[f64; 2]]>, 
 }
 
 /// The value at time `t` of a history of pairs [t, value]: linear between them, constant outside; `None` if it is empty.
-pub(super) fn interpolate(history: &[[f64; 2]], t: f64) -> Option<f64> {
+pub(crate) fn interpolate(history: &[[f64; 2]], t: f64) -> Option<f64> {
     let next = history.partition_point(|&[time, _]| time <= t);
     let before = next.checked_sub(1).and_then(|last| history.get(last));
     match (before, history.get(next)) {
