@@ -10,7 +10,7 @@
 //!   are constraint rows, and those of a solution are λ.
 //!
 //! Either way the matrices have one block a rod, bordered by what rods share: eliminated element by element in the condensed
-//! form ([`Chains`]), as a whole beside multipliers ([`Bordered`]).
+//! form ([`Chains`](crate::linear::Chains)), as a whole beside multipliers ([`Bordered`](crate::linear::Bordered)).
 
 mod build;
 mod collapse;
