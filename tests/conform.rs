@@ -259,7 +259,7 @@ fn errors_and_other_shapes_everywhere_are_no_equations_mistakes() {
         let text = text_of(&examination);
         assert_eq!((examination.blame.culprits.len(), examination.blame.silent.len()), (0, GRAPH.len()), "{text}");
         assert!(examination.findings.is_empty() && examination.alike().is_empty() && !examination.passes());
-        assert!(text.contains("**It answers no numbers for any of `4.nodes`, ") && text.contains(part), "{text}");
+        assert!(text.contains("**It answers no numbers for any of 68 quantities: ") && text.contains(part), "{text}");
         assert!(!text.contains("What fits") && !text.contains("wrong equation"), "{text}");
     }
 }
@@ -367,6 +367,10 @@ fn a_program_that_always_crashes_is_given_up() {
         verdicts.iter().any(|v| matches!(v, Verdict::Fault(Fault::NotAsked(reason)) if reason.contains(why)))
     };
     assert!(given_up("3 times before") && given_up(&format!("started {STARTS} times")));
+    let text = text_of(&examination);
+    for part in ["`4.nodes`, ", ": ended.** The first: ", ": not asked any more.** The first: "] {
+        assert!(text.contains(part), "no {part:?} in:\n{text}");
+    }
 }
 
 #[test]

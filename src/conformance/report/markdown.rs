@@ -111,34 +111,36 @@ fn write_conversation(out: &mut String, examination: &Examination) -> std::fmt::
 fn write_silent(out: &mut String, suite: &Suite, examination: &Examination) -> std::fmt::Result {
     let mut by_words: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for (quantity, cases) in examination.verdicts.iter().filter(|(name, _)| examination.blame.silent.contains(name)) {
-        let words: BTreeSet<&str> = cases.iter().filter_map(|(_, verdict)| fault_word(verdict)).collect();
-        by_words.entry(Vec::from_iter(words).join(", ")).or_default().push(quantity);
+        by_words.entry(fault_words(cases)).or_default().push(quantity);
     }
     for (words, quantities) in by_words {
         let first = examination.verdicts.iter().find(|(quantity, _)| quantities.first() == Some(quantity));
         let example = first.and_then(|(_, cases)| smallest(suite, cases));
         let example = example.map(|(n, verdict)| failing(suite, *n, verdict)).unwrap_or_default();
         let named: Vec<String> = quantities.iter().map(|quantity| format!("`{quantity}`")).collect();
-        let (title, pronoun) = match quantities.len() {
-            1 => ("It answers no numbers for", "its equation is"),
-            _ => ("It answers no numbers for any of", "their equations are"),
+        let (of, pronoun) = match quantities.len() {
+            1 => (named.join(", "), "its equation is"),
+            n if n == examination.implemented() => (format!("any of {n} quantities"), "their equations are"),
+            _ => (format!("any of {}", named.join(", ")), "their equations are"),
         };
         writeln!(
             out,
-            "**{title} {}: {words}.** The first: {example}. Whether {pronoun} wrong is not known.\n",
-            named.join(", ")
+            "**It answers no numbers for {of}: {words}.** The first: {example}. Whether {pronoun} wrong is not known.\n"
         )?;
     }
     Ok(())
 }
 
-/// What came in place of numbers.
-fn fault_word(verdict: &Verdict) -> Option<&'static str> {
-    match verdict {
-        Verdict::Fault(Fault::NotAsked(_)) => None,
-        Verdict::Fault(fault) => Some(fault.word()),
+/// What came in place of numbers; that it was not asked for any more says something only where it is all.
+fn fault_words(cases: &[(usize, Verdict)]) -> String {
+    let faults = cases.iter().filter_map(|(_, verdict)| match verdict {
+        Verdict::Fault(fault) => Some(fault),
         _ => None,
-    }
+    });
+    let (unasked, came): (Vec<&Fault>, Vec<&Fault>) = faults.partition(|fault| matches!(fault, Fault::NotAsked(_)));
+    let told = if came.is_empty() { unasked } else { came };
+    let words: BTreeSet<&str> = told.into_iter().map(Fault::word).collect();
+    Vec::from_iter(words).join(", ")
 }
 
 fn write_blame(out: &mut String, suite: &Suite, examination: &Examination) -> std::fmt::Result {
