@@ -11,8 +11,8 @@
 //! What both runs miss changes nothing. Where a history comes and goes within a step (`run::short`) the finer steps are as many in one
 //! as it takes to see it, sixteen at most, and without them there is no estimate.
 //!
-//! **No digit.** Each place is judged beside its own motion: the way from its start, or from where the initial translation alone would have
-//! taken it, whichever is shorter, so that neither a far journey nor another part's swing hides it. A place that moves by
+//! **No digit.** Each place is judged beside its own motion: the way from its start, or from where it would have gone straight on with the
+//! centre of what it hangs together with, whichever is shorter, so that neither a far journey nor another part's swing hides it. A place that moves by
 //! less than a millionth of the structure's size is judged beside the one that moves farthest.
 
 use std::collections::BTreeSet;
@@ -22,8 +22,8 @@ use serde::Serialize;
 use crate::error::{Error, Result};
 use crate::integrators::{State, integrator};
 use crate::plan::Plan;
-use crate::run::{Run, missed, moves, run, run_with_progress};
-use crate::scene::{Method, Probe, Quantity, Scene};
+use crate::run::{Run, mass, missed, moves, run, run_with_progress};
+use crate::scene::{Method, Probe, Quantity, Rod, Scene};
 use crate::structure::Structure;
 
 /// A halved step, or element, at least halves the error: what is left is as much as what has changed.
@@ -239,12 +239,11 @@ struct Place {
     /// In words.
     name: String,
     columns: Vec<usize>,
-    /// Of the initial translation, m/s.
+    /// Velocity at the start of the centre of its part of the structure, m/s.
     velocity: [f64; 2],
 }
 
 fn places(scene: &Scene) -> Vec<Place> {
-    let translation = scene.motion.as_ref().map_or([0.0; 2], |motion| motion.velocity);
     let mut column = 1;
     let mut places = Vec::new();
     for probe in &scene.probes {
@@ -256,7 +255,7 @@ fn places(scene: &Scene) -> Vec<Place> {
                 (None, rod) => format!("the rod `{}`", rod.as_deref().unwrap_or_default()),
             };
             let (what, velocity) = match quantity {
-                Quantity::Position => ("position", translation),
+                Quantity::Position => ("position", drift(scene, probe).unwrap_or_default()),
                 Quantity::Deflection => ("deflection", [0.0; 2]),
                 _ => continue,
             };
@@ -264,6 +263,33 @@ fn places(scene: &Scene) -> Vec<Place> {
         }
     }
     places
+}
+
+/// Velocity at the start of the centre of the rods that hang together with a probe's; `None` where nothing moves.
+fn drift(scene: &Scene, probe: &Probe) -> Option<[f64; 2]> {
+    let motion = scene.motion.as_ref()?;
+    let probed = |rod: &&Rod| {
+        Some(&rod.name) == probe.rod.as_ref() || ends(rod).any(|point| Some(point) == probe.point.as_ref())
+    };
+    let mut points: BTreeSet<&String> = scene.rods.iter().filter(probed).flat_map(ends).collect();
+    let hangs = |points: &BTreeSet<&String>, rod: &Rod| ends(rod).any(|point| points.contains(point));
+    // As many rounds as the longest chain of rods has.
+    for _ in &scene.rods {
+        let more: Vec<&String> = scene.rods.iter().filter(|rod| hangs(&points, rod)).flat_map(ends).collect();
+        points.extend(more);
+    }
+    let (mut momentum, mut whole) = ([0.0; 2], 0.0);
+    for rod in scene.rods.iter().filter(|rod| hangs(&points, rod)) {
+        let (mass, [x, y]) = (mass(scene, rod), motion.at(scene.middle(rod)?));
+        momentum = [momentum[0] + mass * x, momentum[1] + mass * y];
+        whole += mass;
+    }
+    Some(momentum.map(|component| component / whole))
+}
+
+/// Points of a rod.
+fn ends(rod: &Rod) -> impl Iterator<Item = &String> {
+    [&rod.from, &rod.to].into_iter().chain(&rod.pivot)
 }
 
 /// Estimated errors of the places: twice the largest distance of two runs at the rows of the first; not a number where one of them

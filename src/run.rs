@@ -10,7 +10,7 @@ mod warnings;
 use std::time::Instant;
 
 use doubts::Watch;
-pub(crate) use loads::moves;
+pub(crate) use loads::{mass, moves};
 use recorder::Recorder;
 pub(crate) use short::missed;
 use warnings::warnings;

@@ -218,3 +218,20 @@ fn a_history_within_a_step_is_warned_of() {
     }
     assert_eq!(warned(Method::GaussAdaptive, pulse), None);
 }
+
+/// Steps that do not resolve the wave of sudden heat: a twentieth of its way along an element for a method of order two, a third for one
+/// of order four.
+#[test]
+fn a_badly_resolved_shock_is_warned_of() {
+    let warned = |method: Method, step: f64| {
+        let mut scene = Scene::builtin("pendulum-2d").unwrap();
+        (scene.rods[0].elements, scene.time.method, scene.time.step, scene.time.end) = (4, method, step, 0.01);
+        scene.output.interval = None;
+        must_run(&scene).warnings.iter().any(|warning| warning.contains("sudden heat"))
+    };
+    for method in [Method::EnergyMomentum, Method::GeneralizedAlpha] {
+        assert!(warned(method, 1e-4) && !warned(method, 5e-5), "{method}");
+    }
+    assert!(warned(Method::Gauss, 1e-3) && !warned(Method::Gauss, 5e-4));
+    assert!(!warned(Method::GaussAdaptive, 1e-3) && !warned(Method::Explicit, 1e-5));
+}

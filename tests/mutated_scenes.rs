@@ -93,11 +93,14 @@ fn changed_scene_files_are_read_or_refused() {
         builtin_names().map(|name| builtin_text(name).unwrap().to_string()).chain([ALL.into()]).collect();
     Scene::parse(ALL, "all").unwrap();
     let mut mutator = Mutator(TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]));
-    let (mut read, mut slowest) = (0, Duration::ZERO);
+    let (mut read, mut no_text, mut slowest) = (0, 0, Duration::ZERO);
     for n in 0..number {
         let text = mutator.change(texts[n % texts.len()].as_bytes());
         // As `Scene::load` does: what is no text is refused before it is parsed.
-        let Ok(text) = String::from_utf8(text) else { continue };
+        let Ok(text) = String::from_utf8(text) else {
+            no_text += 1;
+            continue;
+        };
         let clock = Instant::now();
         let outcome = catch_unwind(|| Scene::parse(&text, "mutated"));
         slowest = slowest.max(clock.elapsed());
@@ -116,7 +119,8 @@ fn changed_scene_files_are_read_or_refused() {
             Err(_) => panic!("panics:\n{text}"),
         }
     }
-    println!("{number} files: {read} are scenes, the slowest took {slowest:?}");
+    println!("{number} files: {read} are scenes, {no_text} no text, the slowest took {slowest:?}");
     assert!(read > number / 1000, "hardly any change leaves a scene");
+    assert!(no_text * 2 < number, "hardly any file is a text");
     assert!(slowest < Duration::from_secs(2), "{slowest:?}");
 }

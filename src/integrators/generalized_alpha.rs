@@ -136,7 +136,10 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        self.memory.increment.at_rounding(self.structure, &self.memory.thermal, times)
+        let Memory { increment, coasted, thermal, .. } = &*self.memory;
+        // u is a sum of what may be far larger than itself: a vibration passes its middle.
+        let within = |u| self.structure.within_rounding(&increment.value, u, thermal, times);
+        within(&increment.u) || within(coasted) || within(&self.state.u)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {

@@ -75,7 +75,8 @@ fn omega(scene: &Scene) -> f64 {
     scene.motion.as_ref().map_or(0.0, |motion| motion.omega)
 }
 
-fn mass(scene: &Scene, rod: &Rod) -> f64 {
+/// A rod's mass, kg.
+pub fn mass(scene: &Scene, rod: &Rod) -> f64 {
     let section = scene.section(rod);
     scene.material(rod).rho * section.height * section.width * scene.length(rod)
 }
