@@ -91,8 +91,8 @@ enum Command {
     },
     /// Print the value of every equation for one state.
     Equations {
-        /// A file with an element state, in the shape of those of fixtures/equations.json; or the name of one of these, of a case of
-        /// fixtures/structure.json, or cable- and the name of a state of fixtures/cable.json.
+        /// A file with the state of an element, in the shape of those of fixtures/equations.json or fixtures/cable.json; or the name of
+        /// a stored one, also of a case of fixtures/structure.json (cable- stands before the names of fixtures/cable.json).
         state: String,
     },
     /// Test another implementation: which equation is wrong, and what kind of mistake fits; writes conformance.json and

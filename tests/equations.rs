@@ -10,7 +10,7 @@ use std::process::{Command, Output};
 use ancf::conformance::suite::{Parsed, Suite};
 use ancf::equations::CONTENTS;
 use ancf::error::Error;
-use ancf::state::ElementState;
+use ancf::state::{CableState, ElementState};
 use serde_json::{Value, json};
 
 fn ancf(folder: &Path, state: &str) -> Output {
@@ -108,5 +108,38 @@ fn stored_states_of_cables_and_structures_are_printed_too() {
         let value = case.values[name].numbers[first];
         let digits = if value == 0.0 { "0".into() } else { format!("{value:.9e}") };
         assert!(text.contains(&digits), "{}: no {digits} in\n{text}", case.id);
+        if of_a_cable {
+            fs::write(folder.path().join("mine.json"), case.state.to_string()).unwrap();
+            assert_eq!(String::from_utf8(ancf(folder.path(), "mine.json").stdout).unwrap(), text);
+        }
+    }
+}
+
+#[test]
+fn what_no_cable_element_can_be_is_refused_by_its_key() {
+    let suite = Suite::embedded().unwrap();
+    let mut of_cables = suite.cases.iter().filter(|case| case.id.starts_with("cable-"));
+    for case in of_cables.clone() {
+        CableState::parse(&case.state.to_string(), &case.id).unwrap();
+    }
+    let right = &of_cables.next_back().unwrap().state;
+    for (key, value, refused) in [
+        ("w", json!(0), "w"),
+        ("nu", json!(0.5), "nu"),
+        ("dT", json!(-1e9), "dT"),
+        ("theta", json!(0.3), "theta"),
+        ("e0", json!([0, 0, 1, 0, 2, 0, 1, 0]), "e0"),
+        ("points", json!([[0, 1e-3]]), "points[0][1]"),
+        ("points", json!([]), "points"),
+        ("edot", json!([]), "edot"),
+        ("e", json!([]), "e"),
+        ("height", json!(1), "height"),
+    ] {
+        let mut state = right.clone();
+        (state["model"], state[key]) = (json!("1d"), value);
+        let Err(Error::Scene { key: named, .. }) = CableState::parse(&state.to_string(), "state.json") else {
+            panic!("{key} is accepted")
+        };
+        assert_eq!(named, refused);
     }
 }

@@ -2,22 +2,25 @@
 
 use std::io::ErrorKind;
 
-use super::{ElementState, ThermalModel};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+use super::{CableState, ElementState, ThermalModel};
 use crate::conformance::suite::{Parsed, Suite};
-use crate::equations::shape::Vector14;
 use crate::error::{Error, Result};
 use crate::scene::{Refused, nearest, read_json};
 
 /// How far e0 may be from the straight unstretched element of `theta`, in its own length.
 const STRAIGHT: f64 = 1e-9;
 
-/// The element state of a file; or the stored state of that name, also a cable element's or the terms of (23) of a structure.
+/// The state of a file, of an element or of a cable element; or the stored state of that name, also the terms of (23) of a structure.
 ///
 /// # Errors
 /// [`Error::NoState`] if there is neither, [`Error::Read`] if the file cannot be read, [`Error::Scene`] with file, key, value and
-/// what is allowed if it holds no element state.
+/// what is allowed if it holds no state.
 pub fn load(name: &str) -> Result<Parsed> {
     match std::fs::read_to_string(name) {
+        Ok(text) if is_of_a_cable(&text) => Ok(Parsed::Cable(Box::new(CableState::parse(&text, name)?))),
         Ok(text) => Ok(Parsed::Element(Box::new(ElementState::parse(&text, name)?))),
         Err(source) if source.kind() != ErrorKind::NotFound => Err(Error::Read { path: name.into(), source }),
         Err(_) => {
@@ -28,6 +31,15 @@ pub fn load(name: &str) -> Result<Parsed> {
             }
         }
     }
+}
+
+/// Cable elements have eight nodal coordinates.
+fn is_of_a_cable(text: &str) -> bool {
+    #[derive(Deserialize)]
+    struct Coordinates {
+        e: Vec<IgnoredAny>,
+    }
+    serde_json::from_str::<Coordinates>(text).is_ok_and(|state| state.e.len() == 8)
 }
 
 fn unknown(name: &str, known: Vec<&str>) -> Error {
@@ -48,9 +60,76 @@ impl ElementState {
 
     /// What an element has to fulfil beyond the types of its numbers.
     fn check(&self) -> std::result::Result<(), Refused> {
-        let refuse = |key: &str, value: f64, allowed: &str| {
-            Err(Refused { key: key.into(), value: format!("{value:?}"), allowed: allowed.into() })
-        };
+        let &ElementState { l, h, w, theta, E, nu, rho, alpha, dT, .. } = self;
+        let common = Common { l, h, w, theta, E, nu, rho, alpha, dT, e0: &self.e0, points: &self.points };
+        common.check_numbers()?;
+        if self.model != ThermalModel::None && 1.0 + 2.0 * alpha * dT <= 0.0 {
+            return refuse("dT", dT, "1 + 2 alpha dT over 0: it is the square of the stretch without stress");
+        }
+        let Straight { t, n, .. } = common.straight();
+        let [i, j, k] = [0.0, l / 2.0, l].map(|x| common.straight().at(x));
+        common.check_initial(&[i, n, j, t, n, k, n])?;
+        common.check_points(h / 2.0, "−h/2 ≤ y ≤ h/2")
+    }
+}
+
+impl CableState {
+    /// Reads and checks the text of a state; `file` is the name used in messages.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] with file, key, value and what is allowed.
+    pub fn parse(text: &str, file: &str) -> Result<CableState> {
+        let state: CableState = read_json(text, file, "state")?;
+        state.check().map_err(|refused| refused.in_file(text, file))?;
+        Ok(state)
+    }
+
+    /// What a cable element has to fulfil beyond the types of its numbers.
+    fn check(&self) -> std::result::Result<(), Refused> {
+        let &CableState { l, h, w, theta, E, nu, rho, alpha, dT, .. } = self;
+        let common = Common { l, h, w, theta, E, nu, rho, alpha, dT, e0: &self.e0, points: &self.points };
+        common.check_numbers()?;
+        if self.model != ThermalModel::None && 1.0 + alpha * dT <= 0.0 {
+            return refuse("dT", dT, "1 + alpha dT over 0: it is the stretch without stress");
+        }
+        let Straight { t, .. } = common.straight();
+        let [i, k] = [0.0, l].map(|x| common.straight().at(x));
+        common.check_initial(&[i, t, k, t])?;
+        common.check_points(0.0, "0: points are those of the axis")
+    }
+}
+
+/// What states of both elements have.
+struct Common<'a> {
+    l: f64,
+    h: f64,
+    w: f64,
+    theta: f64,
+    E: f64,
+    nu: f64,
+    rho: f64,
+    alpha: f64,
+    dT: f64,
+    e0: &'a [f64],
+    points: &'a [[f64; 2]],
+}
+
+/// The straight, unstretched axis of the inclination theta through the first node of e0.
+struct Straight {
+    first: [f64; 2],
+    /// Along it, and normal to it.
+    t: [f64; 2],
+    n: [f64; 2],
+}
+
+impl Straight {
+    fn at(&self, x: f64) -> [f64; 2] {
+        [self.first[0] + x * self.t[0], self.first[1] + x * self.t[1]]
+    }
+}
+
+impl Common<'_> {
+    fn check_numbers(&self) -> std::result::Result<(), Refused> {
         let positive = [("l", self.l), ("h", self.h), ("w", self.w), ("E", self.E), ("rho", self.rho)];
         for (key, value) in positive {
             if !(value.is_finite() && value > 0.0) {
@@ -65,10 +144,33 @@ impl ElementState {
                 return refuse(key, value, "a finite number");
             }
         }
-        if self.model != ThermalModel::None && 1.0 + 2.0 * self.alpha * self.dT <= 0.0 {
-            return refuse("dT", self.dT, "1 + 2 alpha dT over 0: it is the square of the stretch without stress");
+        Ok(())
+    }
+
+    fn straight(&self) -> Straight {
+        let (sin, cos) = self.theta.sin_cos();
+        Straight { first: [self.e0[0], self.e0[1]], t: [cos, sin], n: [-sin, cos] }
+    }
+
+    /// e0 is a straight, unstretched element of the length l and the inclination theta, which has the `nodes`.
+    fn check_initial(&self, nodes: &[[f64; 2]]) -> std::result::Result<(), Refused> {
+        let distances = self.e0.iter().zip(nodes.as_flattened()).map(|(own, straight)| (own - straight).abs());
+        let away = distances.fold(0.0, f64::max);
+        if self.e0.iter().all(|entry| entry.is_finite()) && away <= STRAIGHT * (1.0 + self.l) {
+            return Ok(());
         }
-        self.check_initial()?;
+        // Which of both is wrong shows where the last node is, whose position and one slope are the last four numbers.
+        let last = &self.e0[self.e0.len() - 4..];
+        let length = (last[0] - self.e0[0]).hypot(last[1] - self.e0[1]);
+        if (length - self.l).abs() <= STRAIGHT * (1.0 + self.l) {
+            return refuse("theta", self.theta, "the inclination of e0, rad");
+        }
+        let allowed =
+            "the nodal coordinates of a straight, unstretched element of the length l and the inclination theta".into();
+        Err(Refused { key: "e0".into(), value: format!("{away:.1e} off"), allowed })
+    }
+
+    fn check_points(&self, highest: f64, heights: &str) -> std::result::Result<(), Refused> {
         if self.points.is_empty() {
             let allowed = "one point [x, y] at least".into();
             return Err(Refused { key: "points".into(), value: "[]".into(), allowed });
@@ -77,32 +179,14 @@ impl ElementState {
             if !(0.0..=self.l).contains(x) {
                 return refuse(&format!("points[{n}][0]"), *x, "0 ≤ x ≤ l");
             }
-            if !(-self.h / 2.0..=self.h / 2.0).contains(y) {
-                return refuse(&format!("points[{n}][1]"), *y, "−h/2 ≤ y ≤ h/2");
+            if !(-highest..=highest).contains(y) {
+                return refuse(&format!("points[{n}][1]"), *y, heights);
             }
         }
         Ok(())
     }
+}
 
-    /// e0 is a straight, unstretched element of the length l and the inclination theta.
-    fn check_initial(&self) -> std::result::Result<(), Refused> {
-        let (sin, cos) = self.theta.sin_cos();
-        let [x, y] = [self.e0[0], self.e0[1]];
-        let along = |s: f64| [x + s * cos, y + s * sin];
-        let (t, n) = ([cos, sin], [-sin, cos]);
-        let vectors = [along(0.0), n, along(self.l / 2.0), t, n, along(self.l), n];
-        let straight = Vector14::from_iterator(vectors.into_iter().flatten());
-        let away = (Vector14::from(self.e0) - straight).amax();
-        if away.is_finite() && away <= STRAIGHT * (1.0 + self.l) {
-            return Ok(());
-        }
-        let allowed =
-            "the nodal coordinates of a straight, unstretched element of the length l and the inclination theta";
-        // Which of both is wrong shows where the last node is.
-        let length = (self.e0[10] - x).hypot(self.e0[11] - y);
-        let key = if (length - self.l).abs() <= STRAIGHT * (1.0 + self.l) { "theta" } else { "e0" };
-        let value = if key == "theta" { format!("{:?}", self.theta) } else { format!("{away:.1e} off") };
-        let allowed = if key == "theta" { "the inclination of e0, rad" } else { allowed };
-        Err(Refused { key: key.into(), value, allowed: allowed.into() })
-    }
+fn refuse(key: &str, value: f64, allowed: &str) -> std::result::Result<(), Refused> {
+    Err(Refused { key: key.into(), value: format!("{value:?}"), allowed: allowed.into() })
 }
