@@ -2,54 +2,54 @@
 
 use crate::conformance::suite::Parsed;
 use crate::equations::{CONTENTS, Entry, Form};
-use crate::state::{evaluate, evaluate_cable, evaluate_system};
+use crate::state::{CableState, ElementState, ThermalModel, evaluate, evaluate_cable, evaluate_system};
 
 /// Digits that are shown.
 const DIGITS: usize = 9;
 
 const OF_AN_ELEMENT: &str = "Values in SI units; rows and columns of e in the order of (4): r_i r_y_i r_j r_x_j r_y_j r_k r_y_k, x before y.\n\
-     Strains, stresses and S_a, S_b, S_c in global axes. What varies over the element stands point by point.\n";
+     Strains, stresses and S_a, S_b, S_c in global axes. What varies over the element stands point by point, (x, y) in its own axes.\n";
 const OF_A_CABLE: &str = "Values in SI units; rows and columns of e in the order r_i r_x_i r_k r_x_k, x before y. What varies over the element stands\n\
-     point by point.\n";
+     point by point, (x, 0) along it.\n";
 const OF_A_STRUCTURE: &str = "Values in SI units, from the terms of (23) that are stored with the case: m, k q, f and Phi_q; one number for each coordinate.\n";
 
 /// Every quantity of a state in the paper's order: its function, its form, and its numbers row by row. A warning at the top names those
 /// that are not finite.
 pub fn equations_text(state: &Parsed) -> String {
-    let of_a_kind = |entry: &&Entry| match state {
-        Parsed::Element(_) => !entry.is_of_a_structure() && !entry.is_of_a_cable(),
-        Parsed::Cable(_) => entry.is_of_a_cable(),
-        Parsed::System(_) => entry.is_of_a_structure(),
-    };
     let head = match state {
         Parsed::Element(_) => OF_AN_ELEMENT,
         Parsed::Cable(_) => OF_A_CABLE,
         Parsed::System(_) => OF_A_STRUCTURE,
     };
-    let value = |quantity: &str| match state {
-        Parsed::Element(state) => evaluate(quantity, state),
-        Parsed::Cable(state) => evaluate_cable(quantity, state),
-        Parsed::System(state) => evaluate_system(quantity, state),
-    };
+    let nowhere = without_points(state);
     let (mut body, mut overflown) = (String::new(), Vec::new());
-    for entry in CONTENTS.iter().filter(of_a_kind) {
+    for entry in CONTENTS.iter().filter(|entry| is_of(entry, state)) {
         let number = if entry.equation.is_empty() { String::new() } else { format!("({}) ", entry.equation) };
         let form = match entry.form {
             Form::AsPrinted => "",
-            Form::Consistent => "  [corrected]",
-            Form::Printed => "  [as printed, wrong]",
+            Form::Consistent => "  [consistent]",
+            Form::Printed => "  [with the printed error]",
             Form::Beyond => "  [not in the paper]",
         };
         body += &format!("\n{number}{}  {}{form}\n", entry.quantity, entry.function);
-        body += &match value(entry.quantity) {
-            Some(numbers) => {
-                if numbers.iter().any(|number| !number.is_finite()) {
-                    overflown.push(entry.quantity);
-                }
-                values(&numbers, row_length(entry.reference))
-            }
-            None => "  has no value in this state\n".into(),
+        let Some(numbers) = value(state, entry.quantity) else {
+            body += "  has no value in this state\n";
+            continue;
         };
+        if numbers.iter().any(|number| !number.is_finite()) {
+            overflown.push(entry.quantity);
+        }
+        let row = row_length(entry.reference);
+        // What varies over the element has no numbers where there are no points.
+        match nowhere.as_ref().and_then(|nowhere| value(nowhere, entry.quantity)) {
+            Some(none) if none.is_empty() => {
+                let points = points(state);
+                for (numbers, [x, y]) in numbers.chunks(numbers.len() / points.len()).zip(points) {
+                    body += &format!("  at ({x}, {y})\n{}", lines(numbers, row));
+                }
+            }
+            _ => body += &lines(&numbers, row),
+        }
     }
     let warning = match &overflown[..] {
         [] => String::new(),
@@ -59,6 +59,45 @@ pub fn equations_text(state: &Parsed) -> String {
         ),
     };
     format!("{head}{warning}{body}")
+}
+
+/// Whether a quantity is one of such a state; of the two thermal strains the model's own, and where there is no heat neither.
+fn is_of(entry: &Entry, state: &Parsed) -> bool {
+    match state {
+        Parsed::Element(state) => match entry.function {
+            "strain::eps_T" => state.model == ThermalModel::TwoD,
+            "strain::eps_T_1d" => state.model == ThermalModel::OneD,
+            _ => !entry.is_of_a_structure() && !entry.is_of_a_cable(),
+        },
+        Parsed::Cable(_) => entry.is_of_a_cable(),
+        Parsed::System(_) => entry.is_of_a_structure(),
+    }
+}
+
+fn value(state: &Parsed, quantity: &str) -> Option<Vec<f64>> {
+    match state {
+        Parsed::Element(state) => evaluate(quantity, state),
+        Parsed::Cable(state) => evaluate_cable(quantity, state),
+        Parsed::System(state) => evaluate_system(quantity, state),
+    }
+}
+
+fn points(state: &Parsed) -> &[[f64; 2]] {
+    match state {
+        Parsed::Element(state) => &state.points,
+        Parsed::Cable(state) => &state.points,
+        Parsed::System(_) => &[],
+    }
+}
+
+/// The same state, looked at nowhere.
+fn without_points(state: &Parsed) -> Option<Parsed> {
+    let points = Vec::new();
+    match state {
+        Parsed::Element(state) => Some(Parsed::Element(Box::new(ElementState { points, ..(**state).clone() }))),
+        Parsed::Cable(state) => Some(Parsed::Cable(Box::new(CableState { points, ..(**state).clone() }))),
+        Parsed::System(_) => None,
+    }
 }
 
 /// Numbers in a row of the quantity's matrix.
@@ -86,7 +125,7 @@ fn row_length(quantity: &str) -> usize {
 }
 
 /// Lines of numbers; a zero without sign and digits, so that the others stand out.
-fn values(numbers: &[f64], row: usize) -> String {
+fn lines(numbers: &[f64], row: usize) -> String {
     let number = |value: &f64| if *value == 0.0 { "0".into() } else { format!("{value:.DIGITS$e}") };
     let line = |row: &[f64]| {
         let cells: String = row.iter().map(|value| format!(" {:>17}", number(value))).collect();
