@@ -197,6 +197,7 @@ refused! {
     too_many_steps: r#""step": 1e-3"# => r#""step": 1e-12"#; 11, "`time.step` is 1e-12"; "at least 2.000000000e-12 s"
     zero_end: r#""end": 0.002"# => r#""end": 0"#; 11, "`time.end` is 0"; "over 0"
     end_not_a_whole_number_of_steps: r#""end": 0.002"# => r#""end": 0.0025"#; 11, "`time.end` is 0.0025"; "a whole number of steps of `time.step` = 0.001 s, not 2.500000; a step of 0.0008333333333333334 s divides it"
+    proposed_step_fits_the_rows_too: r#""end": 0.002, "step": 1e-3"# => r#""end": 0.01, "step": 0.0007"#; 11, "`time.end` is 0.01"; "a step of 0.0006666666666666666 s divides it"
     end_before_the_first_step: r#""end": 0.002"# => r#""end": 0.0004"#; 11, "`time.end` is 0.0004"; "a step of 0.0004 s divides it"
     interval_not_a_whole_number_of_steps: r#""interval": 0.002"# => r#""interval": 0.0015"#; 12, "`output.interval` is 0.0015"; "a whole number of steps"
     negative_interval: r#""interval": 0.002"# => r#""interval": -0.002"#; 12, "`output.interval` is -0.002"; "over 0"

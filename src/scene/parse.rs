@@ -85,7 +85,7 @@ pub(crate) fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str
         refusal.into_error(file, Some(place))
     };
     let mut json = serde_json::Deserializer::from_str(text);
-    let read = serde_path_to_error::deserialize(&mut json)
+    let Object(read) = serde_path_to_error::deserialize(&mut json)
         .map_err(|error| refused(&error.path().to_string(), error.inner()))?;
     json.end().map_err(|error| refused(".", &error))?;
     Ok(read)

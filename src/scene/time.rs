@@ -94,8 +94,8 @@ const MOST_NUMBERS: f64 = 1e8;
 const WHOLE: (f64, f64) = (1e-9, 1e-3);
 
 /// Steps and the numbers of the methods.
-pub(super) fn check_time(time: &Time) -> Check {
-    let &Time { end, step, method, rho_inf, newton_tolerance, tolerance, load_steps } = time;
+pub(super) fn check_time(scene: &Scene) -> Check {
+    let &Time { end, step, method, rho_inf, newton_tolerance, tolerance, load_steps } = &scene.time;
     positive("time.end", end)?;
     positive("time.step", step)?;
     if method == Method::Static {
@@ -106,7 +106,9 @@ pub(super) fn check_time(time: &Time) -> Check {
         let allowed = format_args!("at least {:.9e} s, for {MOST_STEPS:e} steps at most", end / MOST_STEPS);
         require(steps <= MOST_STEPS, "time.step", format_args!("{step:?}"), allowed)?;
         if !method.is_adaptive() {
-            whole("time.end", end, ("time.step", step))?;
+            // A step that is proposed should not be refused for the rows.
+            let rows = scene.output.interval.filter(|interval| *interval > 0.0 && is_whole(end / interval));
+            whole("time.end", end, ("time.step", step), rows.unwrap_or(end))?;
         }
         positive("time.tolerance", tolerance)?;
     }
@@ -132,12 +134,12 @@ pub(super) fn check_output(scene: &Scene) -> Check {
     if let Some(interval) = scene.output.interval {
         positive(key, interval)?;
         if scene.time.method.is_adaptive() {
-            whole("time.end", end, (key, interval))?;
+            whole("time.end", end, (key, interval), end)?;
         } else {
-            whole(key, interval, ("time.step", step))?;
+            whole(key, interval, ("time.step", step), interval)?;
         }
     } else if scene.time.method.is_adaptive() {
-        whole("time.end", end, ("time.step", step))?;
+        whole("time.end", end, ("time.step", step), end)?;
     }
     let interval = scene.output.interval.unwrap_or(step);
     let rows = end / interval;
@@ -146,13 +148,16 @@ pub(super) fn check_output(scene: &Scene) -> Check {
     require(rows * columns <= MOST_NUMBERS, key, format_args!("{interval:?}"), allowed)
 }
 
-/// Refuses a duration that is not a whole number of steps.
-fn whole(key: &str, duration: f64, (unit, step): (&str, f64)) -> Check {
+/// Refuses a duration that is not a whole number of steps, and proposes one that divides `part` of it.
+fn whole(key: &str, duration: f64, (unit, step): (&str, f64), part: f64) -> Check {
     let count = duration / step;
-    let holds = count > 0.5 && (count - count.round()).abs() <= (WHOLE.0 * count).min(WHOLE.1);
-    let fitting = duration / count.ceil().max(1.0);
+    let fitting = part / (part / step).ceil().max(1.0);
     let allowed = format_args!(
         "a whole number of steps of `{unit}` = {step:?} s, not {count:.6}; a step of {fitting:?} s divides it"
     );
-    require(holds, key, format_args!("{duration:?}"), allowed)
+    require(is_whole(count), key, format_args!("{duration:?}"), allowed)
+}
+
+fn is_whole(count: f64) -> bool {
+    count > 0.5 && (count - count.round()).abs() <= (WHOLE.0 * count).min(WHOLE.1)
 }

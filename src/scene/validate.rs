@@ -63,7 +63,7 @@ pub(super) fn check(scene: &Scene) -> Check {
     check_heat(scene)?;
     check_constraints(scene)?;
     check_form(scene)?;
-    check_time(&scene.time)?;
+    check_time(scene)?;
     check_statics(scene)?;
     check_motion(scene)?;
     check_probes(scene)?;

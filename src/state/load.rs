@@ -162,11 +162,17 @@ impl Common<'_> {
         // Which of both is wrong shows where the last node is, whose position and one slope are the last four numbers.
         let last = &self.e0[self.e0.len() - 4..];
         let length = (last[0] - self.e0[0]).hypot(last[1] - self.e0[1]);
-        if (length - self.l).abs() <= STRAIGHT * (1.0 + self.l) {
-            return refuse("theta", self.theta, "the inclination of e0, rad");
+        let [x, y] = self.straight().at(self.l);
+        let is_turned = (last[0] - x).hypot(last[1] - y) > STRAIGHT * (1.0 + self.l);
+        if is_turned && (length - self.l).abs() <= STRAIGHT * (1.0 + self.l) {
+            let direction = (last[1] - self.e0[1]).atan2(last[0] - self.e0[0]);
+            return refuse("theta", self.theta, &format!("the inclination of e0, {direction:?} rad"));
         }
-        let allowed =
-            "the nodal coordinates of a straight, unstretched element of the length l and the inclination theta".into();
+        let allowed = format!(
+            "the nodal coordinates of a straight, unstretched element of the length l = {:?} and the inclination theta; its \
+             last node is {length:?} from the first",
+            self.l
+        );
         Err(Refused { key: "e0".into(), value: format!("{away:.1e} off"), allowed })
     }
 

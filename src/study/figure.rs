@@ -78,10 +78,16 @@ fn draw<'a>(title: &str, panels: &[Panel], backend: SVGBackend<'a>) -> DrawingRe
     let points = panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
     let times = extent(points.map(|point| point.0), 0.0);
     for (n, (area, panel)) in body.split_evenly((panels.len(), 1)).iter().zip(panels).enumerate() {
-        // The colours mean the same in all panels; the first explains them.
-        draw_panel(area, panel, times.clone(), n == 0)?;
+        // The colours mean the same in all panels; the first explains them, and those that are drawn otherwise.
+        let differs = drawn(panel) != drawn(&panels[0]);
+        draw_panel(area, panel, times.clone(), n == 0 || differs)?;
     }
     root.present()
+}
+
+/// What a legend says of a panel.
+fn drawn<'a>(panel: &'a Panel<'a>) -> impl PartialEq + 'a {
+    panel.curves.iter().map(|curve| (curve.name, curve.stroke)).collect::<Vec<_>>()
 }
 
 fn draw_panel<'a>(

@@ -93,9 +93,9 @@ fn oracle_at(oracle: &Oracle, model: &Model, t: f64) -> Option<[f64; 2]> {
 /// How far the heated models' tips are from the flexible one's, and from each other.
 pub fn differences(models: &[Model]) -> String {
     let of = |id: &str| models.iter().find(|model| model.kind.id == id);
-    let mut lines = Lines("3. Distance between the models' tips, mm (the paper's Figure 4)\n\n".into());
-    lines.push(format_args!("   {:10} {:>34} {:>34}", "", "sudden start", "relaxed start"));
-    let head = ["1D–flexible", "2D–flexible", "2D–1D"];
+    let mut lines = Lines("3. Distance between the models' tips, mm (the paper's Figure 4; its 1D model is Euler–Bernoulli, EB; 1D: the paper's own element)\n\n".into());
+    lines.push(format_args!("   {:10} {:>47} {:>47}", "", "sudden start", "relaxed start"));
+    let head = ["1D–flexible", "2D–flexible", "2D–1D", "2D–1D EB"];
     let heads = head.iter().chain(&head).map(|name| format!("{name:>11}")).collect::<Vec<_>>().join(" ");
     lines.push(format_args!("   {:10} {heads}", ""));
     for t in TIMES {
@@ -107,9 +107,11 @@ pub fn differences(models: &[Model]) -> String {
             ("1d-sudden", "flexible"),
             ("2d-sudden", "flexible"),
             ("2d-sudden", "1d-sudden"),
+            ("2d-sudden", "1d-eb-sudden"),
             ("1d-relaxed", "flexible"),
             ("2d-relaxed", "flexible"),
             ("2d-relaxed", "1d-relaxed"),
+            ("2d-relaxed", "1d-eb-relaxed"),
         ];
         let values = pairs.map(|pair| format!("{:11.3}", distance(pair))).join(" ");
         lines.push(format_args!("   t = {t:<4} s {values}"));

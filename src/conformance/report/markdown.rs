@@ -255,10 +255,18 @@ fn failing(suite: &Suite, n: usize, verdict: &Verdict) -> String {
 
 /// Text that stays inside a cell.
 fn cell(text: &str) -> String {
-    text.replace('|', "\\|").replace('`', "'")
+    text.replace('|', "\\|").replace('`', "'").replace(char::is_control, " ")
 }
 
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_name_stays_in_its_cell_and_line() {
+        assert_eq!(super::cell("a|b\n# `c`"), "a\\|b # 'c'");
+    }
 }

@@ -160,10 +160,11 @@ impl Point {
         });
     }
 
-    /// Its mesh and step for a person.
+    /// Its mesh, its step and its tolerances for a person.
     pub fn what(&self) -> String {
         let elements = if self.elements == 1 { "1 element".into() } else { format!("{} elements", self.elements) };
-        match (self.step, self.tolerance) {
+        let newton = self.newton_tolerance.map_or(String::new(), |tolerance| format!(", Newton to {tolerance:.0e}"));
+        let how = match (self.step, self.tolerance) {
             (_, Some(tolerance)) => format!("{}, {elements}, tolerance {tolerance:.0e} m", self.method),
             (Some(step), None) if self.method == "static" => {
                 let count = (1.0 / step).round();
@@ -172,6 +173,7 @@ impl Point {
             }
             (Some(step), None) => format!("{}, {elements}, step {step:.2e} s", self.method),
             (None, None) => format!("{}, {elements}", self.method),
-        }
+        };
+        how + &newton
     }
 }

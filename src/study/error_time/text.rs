@@ -37,7 +37,7 @@ fn digits(ratio: f64) -> String {
 pub fn leads(leads: &[Lead]) -> Vec<String> {
     let sentence = |lead: &Lead| {
         let (faster, slower) = if lead.explicit { ("explicit", "implicit") } else { ("implicit", "explicit") };
-        let [from, to] = [lead.from, lead.to].map(|error| format!("{error:.0e}"));
+        let [from, to] = [lead.from, lead.to].map(|error| format!("{error:.1e}"));
         let range = if from == to { format!("errors of {from} m") } else { format!("errors of {from} … {to} m") };
         match lead.ratio {
             Some([least, most]) if most < 1.05 * least => format!("{range}: {faster} is faster, by {most:.1}"),
@@ -90,12 +90,12 @@ pub fn group(group: &Group) -> String {
     }
     text += "\n";
     for (error, point) in group.decades() {
-        let words = |point: &Point| format!("{:58} {}", point.what(), timing(point.time.as_ref()));
+        let words = |point: &Point| format!("{:68} {}", point.what(), timing(point.time.as_ref()));
         text += &format!("   ≤ {error:.0e} m  {}\n", point.map_or_else(|| nothing(group, error), words));
         if let Some(peer) = group.peer(error) {
             let what = format!("{}: {}", peer.program, peer.what());
             let compared = group.ratio(error).map_or(String::new(), |found| format!("; {}", ratio(&found)));
-            text += &format!("             {what:58} {}{compared}\n", timing(peer.time.as_ref()));
+            text += &format!("             {what:68} {}{compared}\n", timing(peer.time.as_ref()));
         }
     }
     for sentence in leads(&group.leads()).iter().filter(|_| group.points.iter().any(|point| point.explicit)) {

@@ -6,7 +6,10 @@ use super::{Study, Swept};
 pub fn table(study: &Study) -> String {
     let mut text = String::from("Stiff and extreme cases\n");
     for Swept { case, rows } in &study.cases {
-        text += &format!("\n{} ({})\n   from: {}\n   right: {}\n", case.name, case.unit, case.reference, case.right);
+        text += &format!(
+            "\n{}: error, {}; swept: {}\n   from: {}\n   right: {}\n",
+            case.name, case.unit, case.parameter, case.reference, case.right
+        );
         for row in rows {
             text += &format!("{}\n", line(row));
         }
@@ -43,7 +46,7 @@ fn counts<'a>(rows: impl Iterator<Item = &'a Row>) -> [usize; 4] {
 
 fn line(row: &Row) -> String {
     let number = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.1e}"));
-    let beside = row.beside.map_or(String::new(), |value| format!("  beside {value:.1e}"));
+    let beside = row.beside.map_or(String::new(), |value| format!("  (in another form {value:.1e})"));
     let note = if row.note.is_empty() { String::new() } else { format!("  {}", row.note) };
     format!(
         "   {:44} {:>14}  error {:>8}  bound {:>8}{} {}{beside}{note}",
