@@ -54,6 +54,9 @@ pub(super) const WIDTH: u32 = 960;
 const PANEL_HEIGHT: u32 = 320;
 pub(super) const TITLE_HEIGHT: u32 = 44;
 
+/// Places are whole numbers for the library: so many of them in a pixel keep curves smooth.
+const FINE: u32 = 4;
+
 /// Draws the panels under a title.
 ///
 /// # Errors
@@ -61,9 +64,12 @@ pub(super) const TITLE_HEIGHT: u32 = 44;
 pub fn svg(title: &str, panels: &[Panel]) -> Result<String> {
     let mut text = String::new();
     let height = TITLE_HEIGHT + PANEL_HEIGHT * panels.len() as u32;
-    draw(title, panels, SVGBackend::with_string(&mut text, (WIDTH, height)))
+    let fine = (WIDTH * FINE, height * FINE);
+    draw(title, panels, SVGBackend::with_string(&mut text, fine))
         .map_err(|reason| Error::Picture { title: title.to_string(), reason: reason.to_string() })?;
-    Ok(text)
+    let size = |(width, height): (u32, u32)| format!("<svg width=\"{width}\" height=\"{height}\"");
+    // The view box remains.
+    Ok(text.replacen(&size(fine), &size((WIDTH, height)), 1))
 }
 
 /// What drawing ends with.
@@ -73,8 +79,8 @@ pub(super) type DrawingResult<'a> =
 fn draw<'a>(title: &str, panels: &[Panel], backend: SVGBackend<'a>) -> DrawingResult<'a> {
     let root = backend.into_drawing_area();
     root.fill(&WHITE)?;
-    let (head, body) = root.split_vertically(TITLE_HEIGHT);
-    head.titled(title, ("sans-serif", 20))?;
+    let (head, body) = root.split_vertically(TITLE_HEIGHT * FINE);
+    head.titled(title, ("sans-serif", 20 * FINE))?;
     let points = panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
     let times = extent(points.map(|point| point.0), 0.0);
     for (n, (area, panel)) in body.split_evenly((panels.len(), 1)).iter().zip(panels).enumerate() {
@@ -98,35 +104,38 @@ fn draw_panel<'a>(
 ) -> DrawingResult<'a> {
     let values = extent(panel.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1), 0.05);
     let mut chart = ChartBuilder::on(area)
-        .margin(10)
-        .x_label_area_size(40)
-        .y_label_area_size(80)
+        .margin(10 * FINE)
+        .x_label_area_size(40 * FINE)
+        .y_label_area_size(80 * FINE)
         .build_cartesian_2d(times.clone(), values.clone())?;
     chart
         .configure_mesh()
         .x_desc("time t, s")
         .y_desc(panel.quantity.as_str())
-        .label_style(("sans-serif", 14))
+        .label_style(("sans-serif", 14 * FINE))
+        .axis_style(BLACK.stroke_width(FINE))
+        .bold_line_style(BLACK.mix(0.2).stroke_width(FINE))
         .light_line_style(WHITE)
+        .set_all_tick_mark_size(5 * FINE)
         // Adding 0 turns −0 into 0.
         .y_label_formatter(&|value| format!("{}", (value * 1e6).round() / 1e6 + 0.0))
         .draw()?;
     for curve in &panel.curves {
         let colour = curve.colour;
-        chart.draw_series(error_bars(curve).map(|ends| PathElement::new(ends, colour.stroke_width(1))))?;
+        chart.draw_series(error_bars(curve).map(|ends| PathElement::new(ends, colour.stroke_width(FINE))))?;
         let style = match curve.stroke {
-            Stroke::Faint => colour.mix(0.4).stroke_width(1),
-            Stroke::Thin => colour.stroke_width(1),
-            Stroke::Broad => colour.mix(0.35).stroke_width(4),
-            Stroke::Line => colour.stroke_width(2),
+            Stroke::Faint => colour.mix(0.4).stroke_width(FINE),
+            Stroke::Thin => colour.stroke_width(FINE),
+            Stroke::Broad => colour.mix(0.35).stroke_width(4 * FINE),
+            Stroke::Line => colour.stroke_width(2 * FINE),
             Stroke::Dots => colour.filled(),
         };
         if curve.stroke == Stroke::Dots {
-            let dots = curve.points.iter().map(|point| Circle::new(*point, 2, style));
-            let legend = move |(x, y)| Circle::new((x + 10, y), 2, style);
+            let dots = curve.points.iter().map(|point| Circle::new(*point, 2 * FINE, style));
+            let legend = move |(x, y)| Circle::new((x + 10 * FINE as i32, y), 2 * FINE, style);
             chart.draw_series(dots)?.label(curve.name).legend(legend);
         } else {
-            let legend = move |(x, y)| PathElement::new([(x, y), (x + 20, y)], style);
+            let legend = move |(x, y)| PathElement::new([(x, y), (x + 20 * FINE as i32, y)], style);
             chart.draw_series(LineSeries::new(envelope(&curve.points), style))?.label(curve.name).legend(legend);
         }
     }
@@ -135,7 +144,9 @@ fn draw_panel<'a>(
             .configure_series_labels()
             .position(emptiest_corner(panel, &times, &values))
             .background_style(WHITE.mix(0.8))
-            .label_font(("sans-serif", 14))
+            .margin(10 * FINE)
+            .legend_area_size(30 * FINE)
+            .label_font(("sans-serif", 14 * FINE))
             .draw()?;
     }
     Ok(())

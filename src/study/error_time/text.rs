@@ -59,12 +59,16 @@ pub fn nothing(group: &Group, error: f64) -> String {
 
 /// What economies save.
 pub fn economies(economies: &[Economy]) -> String {
-    let mut text = String::from("What is left out, and how many times as long a run takes with it:\n");
+    let mut text = String::from(
+        "What is left out, and how many times as long a run takes with it (shortest over longest run, and the other way round):\n",
+    );
     for economy in economies {
         let Economy { what, scene, pruned, full, difference } = economy;
         text += &format!(
-            "   {what:52} {:5.2} × ({} → {}); changes {difference:.0e} m; {scene}\n",
+            "   {what:52} {:5.2} × ({:.2} … {:.2}; {} → {}); changes {difference:.0e} m; {scene}\n",
             economy.ratio(),
+            full.min / pruned.max,
+            full.max / pruned.min,
             seconds(full.median),
             seconds(pruned.median),
         );
