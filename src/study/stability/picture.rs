@@ -36,12 +36,16 @@ const FONT: (&str, u32) = ("sans-serif", 12);
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type DrawingResult<'a> = std::result::Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
-/// A panel for each case that has a parameter to sweep.
+/// A panel for each case that is a sweep: errors at two values and more.
 ///
 /// # Errors
 /// [`Error::Picture`] with the library's reason.
 pub fn svg(cases: &[Swept]) -> Result<String> {
-    let drawn: Vec<&Swept> = cases.iter().filter(|swept| swept.rows.iter().any(|row| row.error.is_some())).collect();
+    let is_swept = |swept: &&Swept| {
+        let mut values = swept.rows.iter().filter(|row| row.error.is_some()).map(|row| row.value);
+        values.next().is_some_and(|first| values.any(|value| value != first))
+    };
+    let drawn: Vec<&Swept> = cases.iter().filter(is_swept).collect();
     let height = HEAD_HEIGHT + PANEL_HEIGHT * drawn.len().div_ceil(COLUMNS).max(1) as u32;
     let title = "Stiff and extreme cases";
     let mut text = String::new();
