@@ -94,6 +94,9 @@ def demand_breadth(states):
     signs = {(state.model, state.dT > 0) for state in inclined if state.dT != 0}
     assert {(model, sign) for model in ("1d", "2d") for sign in (False, True)} <= signs
     assert any(state.dT == 0 for state in inclined)
+    assert any(state.dT != 0 for state in inclined if state.model == "none"), "heat that has to be left out"
+    assert any(state.alpha < 0 for state in inclined if state.model != "none" and state.dT != 0)
+    assert any(state.nu < 0 for state in inclined)
     free = {state.model for state in inclined if "stress-free" in state.tags}
     assert free == {"1d", "2d"}, "stress-free states in both models"
     assert all(1 + 2 * state.alpha * state.dT > 0 for state in states)

@@ -24,6 +24,8 @@ SOFT_30 = {"E": Q(2600), "nu": Q(3, 10), "rho": Q(1200), "alpha": Q(1, 2000)}
 NEARLY_50 = {"E": Q(14999 * 10**2), "nu": Q(4999, 10000), "rho": Q(1000), "alpha": Q(1, 4000)}
 STEEL_30 = {"E": Q(208 * 10**9), "nu": Q(3, 10), "rho": Q(7800), "alpha": Q(1, 80000)}
 RUBBER_49 = {"E": Q(149 * 10**4), "nu": Q(49, 100), "rho": Q(1000), "alpha": Q(1, 4000)}
+# Thicker when drawn out, shorter when warm: lambda is below zero.
+AUXETIC_25 = {"E": Q(1800), "nu": Q(-1, 4), "rho": Q(1200), "alpha": Q(-1, 2000)}
 
 # Sizes (l, h, w): half of Table 1's rod, an eighth of Table 2's, and others with l/h = 2, 8, 1000.
 PENDULUM = (Q(1, 2), Q(1, 50), Q(1, 50))
@@ -167,6 +169,18 @@ def large():
     ]
 
 
+def seldom():
+    """Signs that few materials have, and heat that the model leaves out: arbitrary nodal coordinates as below."""
+    return [
+        make("random-auxetic-2d", "random", "nu = -1/4 and alpha < 0, heated in the 2D model.",
+             BAR, UP_81, None, material=AUXETIC_25, heat=("2d", 180), offset=scatter(58, 12, 8), seed=69,
+             at=[(Q(5, 8), Q(-3, 8))]),
+        make("random-heat-none", "random", "l/h = 2, nu = 0.3, 200 K that the model leaves out.",
+             STUBBY, DOWN_46, None, material=SOFT_30, heat=("none", 200), offset=scatter(59, 12, 8), seed=70,
+             at=[(Q(7, 8), Q(1, 8))]),
+    ]
+
+
 def near_singular():
     """Divisors that are nearly zero: 1 - 2 nu, and the determinant of the deformation gradient."""
     flat = straight(BACK_113, (Q(1, 4), 0), axial=Q(3, 2), thickness=Q(1, 512), slip=Q(1, 8))
@@ -182,4 +196,4 @@ def near_singular():
 @cache
 def states():
     """All states of the fixture, in its order."""
-    return undeformed() + stretched() + free_heat() + blocked_heat() + bent() + near_singular() + large()
+    return undeformed() + stretched() + free_heat() + blocked_heat() + bent() + near_singular() + seldom() + large()

@@ -24,7 +24,10 @@ WORDS = {
     "heated": "dT > 0 and a model that has heat",
     "cooled": "dT < 0 and a model that has heat",
     "1d": "heat strains the axis only", "2d": "heat strains both directions",
+    "none": "dT is not zero, and the model leaves it out",
+    "contracting": "alpha < 0: shorter when heated",
     "nu": "Poisson's ratio is not zero",
+    "auxetic": "Poisson's ratio is negative: thicker when drawn out",
     "moving": "edot is not zero",
     "near-singular": "1 - 2 nu or det J is at most 1/40",
 }
@@ -44,7 +47,10 @@ def derived(state, shear=(), stretches=()):
         "cooled": hot and state.dT < 0,
         "1d": hot and state.model == "1d",
         "2d": hot and state.model == "2d",
+        "none": not hot and state.dT != 0,
+        "contracting": state.alpha < 0,
         "nu": state.nu != 0,
+        "auxetic": state.nu < 0,
         "moving": any(state.edot),
         "near-singular": min([1 - 2 * state.nu, *map(abs, stretches)]) <= NEARLY_NOTHING,
     }

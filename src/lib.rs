@@ -23,9 +23,9 @@
 //! e = \[rⁱ r_yⁱ rʲ r_xʲ r_yʲ rᵏ r_yᵏ\], (4).
 //!
 //! **Checking another implementation.** [`conformance`] asks any program for every value of the fixtures, and names the first equation
-//! that is wrong. `fixtures/equations.json` has 34 element states and the exact value of every quantity of
+//! that is wrong. `fixtures/equations.json` has 36 element states and the exact value of every quantity of
 //! [`equations::CONTENTS`] for each; [`state::ElementState`] reads a state, [`state::evaluate`] gives our value. `fixtures/cable.json`
-//! has 26 of the [`cable`](equations::cable) element, for [`state::CableState`] and [`state::evaluate_cable`].
+//! has 27 of the [`cable`](equations::cable) element, for [`state::CableState`] and [`state::evaluate_cable`].
 //! `fixtures/pendulum.json` has the pendulum's motion, `fixtures/continuum.json` that of a plane solid; `fixtures/structure.json`
 //! the terms of (23) for pinned rods, and their motion; `fixtures/references.json` solutions of statics and vibration. Each field is
 //! explained in `fixtures/README.md`.

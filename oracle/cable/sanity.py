@@ -192,6 +192,7 @@ def demand_of_all(states, values):
     assert {("1d", True), ("1d", False), ("2d", True), ("2d", False)} <= {
         (state.model, state.dT > 0) for state in inclined}
     assert {state.model for state in states if state.dT != 0} == {"none", "1d", "2d"}
+    assert any(state.alpha < 0 for state in inclined if state.model != "none" and state.dT != 0)
     named = {state.id: found for state, found in zip(states, values, strict=True)}
     one, two = (named[f"bending-inclined-{model}"] for model in ("1d", "2d"))
     for name in one:

@@ -6,8 +6,8 @@ from flint import fmpq as Q
 
 from ..state import State, WEIGHT, field_in, plus, scatter
 from ..states import (
-    BACK_113, BACK_157, BAR, DOWN_46, EAST, NORTH, PENDULUM, RUBBER_49, SCISSOR, SLENDER, SOFT_30, STEEL_30,
-    STUBBY, TABLE_1, TABLE_2, UP_37, UP_53, UP_62, UP_81,
+    AUXETIC_25, BACK_113, BACK_157, BAR, DOWN_46, EAST, NORTH, PENDULUM, RUBBER_49, SCISSOR, SLENDER, SOFT_30,
+    STEEL_30, STUBBY, TABLE_1, TABLE_2, UP_37, UP_53, UP_62, UP_81,
 )
 
 
@@ -152,6 +152,9 @@ def arbitrary():
         make("random-bar-1d", "random", "l/h = 8, nu = 0.49, heated in the 1D model.",
              BAR, DOWN_46, None, material=RUBBER_49, heat=("1d", 160), offset=draw(54, 8, 16), seed=64,
              at=(Q(13, 16),)),
+        make("random-auxetic-1d", "random", "nu = -1/4 and alpha < 0, heated in the 1D model.",
+             BAR, UP_81, None, material=AUXETIC_25, heat=("1d", 180), offset=draw(58, 8, 16), seed=69,
+             at=(Q(5, 16),)),
         make("random-pendulum-2d", "random", "Table 1 at its 200 K with arbitrary small nodal displacements.",
              PENDULUM, EAST, line(DOWN_46), material=TABLE_1, heat=("2d", 200), offset=draw(55, 8, 256),
              seed=65, at=(Q(9, 16),)),
