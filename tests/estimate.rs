@@ -1,4 +1,4 @@
-//! `ancf run --estimate`: errors in time and space in `summary.json`, and an error where no digit is right.
+//! `ancf run --estimate`: errors in time and space in `summary.json`, and an error where no digit is sure.
 
 #![cfg(feature = "cli")]
 
@@ -180,7 +180,7 @@ fn a_result_without_a_digit_is_an_error() {
     fs::write(folder.path().join("mine.json"), scene.to_text()).unwrap();
     let output = ancf(folder.path(), &["run", "mine.json", "--estimate"]);
     let message = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.code() == Some(1) && message.contains("no digit is right"), "{message}");
+    assert!(output.status.code() == Some(1) && message.contains("not even the first digit is sure"), "{message}");
     assert!(fs::read_dir(folder.path().join("out")).unwrap().next().is_none());
 }
 
