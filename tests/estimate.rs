@@ -282,7 +282,10 @@ fn what_comes_and_goes_within_a_step_is_seen() {
     }
     // A ramp is not missed.
     let ramp = vec![[0.1000, 0.0], [0.10001, 1.0]];
-    let accuracy = run_estimated(&shaken(Method::EnergyMomentum, 1.0, ramp), |_| ()).unwrap().accuracy;
+    let mut ramp = shaken(Method::EnergyMomentum, 1.0, ramp);
+    // Two elements leave a tenth of what it does wrong.
+    ramp.rods[0].elements = 4;
+    let accuracy = run_estimated(&ramp, |_| ()).unwrap().accuracy;
     assert!(accuracy.time.unwrap().method.contains("half the step"));
 }
 
@@ -354,12 +357,14 @@ fn a_vibration_that_is_damped_before_the_rows_is_seen() {
 /// What is compared between the rows changes neither them nor what is counted and warned of.
 #[test]
 fn an_estimated_run_is_the_run_itself() {
-    for method in [Method::EnergyMomentum, Method::Explicit, Method::GaussAdaptive, Method::Static] {
+    for (method, step) in
+        [(Method::EnergyMomentum, 1e-3), (Method::Explicit, 4e-5), (Method::GaussAdaptive, 1e-2), (Method::Static, 1.0)]
+    {
         let mut scene =
-            if method == Method::Static { Scene::builtin("cantilever").unwrap() } else { pendulum(method, 2e-5) };
+            if method == Method::Static { Scene::builtin("cantilever").unwrap() } else { pendulum(method, step) };
         if method != Method::Static {
             // Accelerations are counted at the rows.
-            (scene.time.end, scene.output.interval) = (0.02, Some(1e-2));
+            scene.output.interval = Some(1e-2);
             scene.probes[0].of = vec![Quantity::Position, Quantity::Acceleration];
         }
         let (own, mut estimated) = (run(&scene).unwrap(), run_estimated(&scene, |_| ()).unwrap());
