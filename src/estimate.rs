@@ -73,6 +73,8 @@ pub struct Accuracy {
     pub time: Option<Estimate>,
     /// The mesh's part.
     pub space: Option<Estimate>,
+    /// Both together as they are at the rows alone, m: what is comparable with errors that are known there only.
+    pub at_rows: Option<f64>,
 }
 
 impl Accuracy {
@@ -92,7 +94,7 @@ pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     let sight = Sight::of(scene);
     let (mut own, seen) = sight.run_with_progress(scene, on_step)?;
     let (finer, in_time, seen_in_time, how) = finer_in_time(&sight, &own)?;
-    let time = sight.changes(&seen, &seen_in_time);
+    let time = sight.changes(&seen, &seen_in_time, |_| true);
 
     // Explicit steps have to be shorter on a finer mesh, and are compared with as short ones.
     let explicit = scene.time.method.is_explicit();
@@ -102,14 +104,17 @@ pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
     let mesh = stable(mesh).map_err(|error| no_estimate(&on_mesh, error))?;
     let (on_finer, seen_on_finer) = sight.run(&mesh).map_err(|error| no_estimate(&on_mesh, error))?;
-    let space = sight.changes(seen_of_base, &seen_on_finer);
+    let space = sight.changes(seen_of_base, &seen_on_finer, |_| true);
 
     let directions = [&own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
     if directions > 0 {
         return Err(Error::Unstable { directions });
     }
     sight.judge(&seen, &time, &space)?;
-    let [time, space] = [time, space].map(|errors| errors.into_iter().fold(0.0, f64::max));
+    let worst = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
+    let pairs = [(&seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
+    let at_rows = pairs.map(|(own, finer)| worst(sight.changes(own, finer, |is_row| is_row))).iter().sum();
+    let [time, space] = [time, space].map(worst);
     let when = sight.when();
     let estimate = |value, method: &str| {
         let method = format!(
@@ -117,7 +122,7 @@ pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
         );
         Some(Estimate { value, unit: "m", method })
     };
-    own.accuracy = Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh) };
+    own.accuracy = Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh), at_rows: Some(at_rows) };
     Ok(own)
 }
 
@@ -238,6 +243,8 @@ enum Of {
 struct Seen {
     /// Times of the instants, s.
     times: Vec<f64>,
+    /// Whether they are rows of the run itself.
+    rows: Vec<bool>,
     /// All places at the first instant, at the second, …, m; a deflection has one component.
     places: Vec<[f64; 2]>,
 }
@@ -300,6 +307,7 @@ impl Sight<'_> {
         let run = run_seen(scene, &Plan::of(scene), on_step, |step, structure, state| {
             if step.is_multiple_of(parts) && looks_at(step / parts) {
                 seen.times.push(state.t);
+                seen.rows.push(self.scene.is_row(step / parts));
                 seen.places.extend(self.places.iter().map(|place| place.at(structure, &state.u)));
             }
         })?;
@@ -316,13 +324,18 @@ impl Sight<'_> {
         }
     }
 
-    /// Estimated errors of the places: twice the largest distance of two runs; not a number where one of them is not.
-    fn changes(&self, own: &Seen, finer: &Seen) -> Vec<f64> {
+    /// Estimated errors of the places: twice the largest distance of two runs, at instants that count as rows or others do; not a number
+    /// where one of them is not.
+    fn changes(&self, own: &Seen, finer: &Seen, counts: impl Fn(bool) -> bool) -> Vec<f64> {
         if own.times.len() != finer.times.len() {
             return vec![f64::NAN; self.places.len()];
         }
         let apart = |([x, y], [other_x, other_y]): ([f64; 2], [f64; 2])| (x - other_x).hypot(y - other_y);
-        (0..self.places.len()).map(|place| SAFETY * largest(own.of(place).zip(finer.of(place)).map(apart))).collect()
+        let change = |place: usize| {
+            let pairs = own.of(place).zip(finer.of(place)).zip(&own.rows);
+            SAFETY * largest(pairs.filter(|(_, is_row)| counts(**is_row)).map(|(pair, _)| apart(pair)))
+        };
+        (0..self.places.len()).map(change).collect()
     }
 
     /// Refuses errors that leave no digit of a place's motion sure.
