@@ -373,7 +373,9 @@ fn an_estimated_run_is_the_run_itself() {
             method if method.is_adaptive() => "at the rows",
             _ => "after each step",
         };
-        for estimate in [estimated.accuracy.time.take(), estimated.accuracy.space.take()] {
+        let accuracy = std::mem::take(&mut estimated.accuracy);
+        assert!(accuracy.at_rows <= accuracy.total(), "{accuracy:?}");
+        for estimate in [accuracy.time, accuracy.space] {
             let method = estimate.unwrap().method;
             assert!(method.contains(when), "{method}");
         }
