@@ -44,7 +44,7 @@ pub enum Error {
     #[error(
         "Newton's iteration did not converge at t = {} s: residual {residual:.3e} of the largest \
          force term after {iterations} iterations (tolerance {tolerance:.1e}); {}",
-        rounded(*time),
+        written(*time),
         cure_of_iteration(*residual, *at_rounding)
     )]
     NewtonFailed {
@@ -63,7 +63,7 @@ pub enum Error {
     #[error(
         "no equilibrium was found at {} of the load: {reason}; more `time.load_steps` help, or more `elements` where rods \
          bend far, unless the structure buckles there",
-        rounded(*factor)
+        written(*factor)
     )]
     NoEquilibrium {
         /// Load factor at the end of the failed step, 0 … 1.
@@ -75,7 +75,7 @@ pub enum Error {
     #[error(
         "the matrix is singular at t = {} s, iteration {iteration}, at {place}: a part of the structure is not \
          held, rods are stretched out in a singular position, or a step is far too large",
-        rounded(*time)
+        written(*time)
     )]
     Singular {
         /// Time, s.
@@ -111,7 +111,7 @@ pub enum Error {
     #[error(
         "at t = {} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: the step is \
          far too long for a sudden load; {}",
-        rounded(*time),
+        written(*time),
         cure_of_steps(*method)
     )]
     EnergyAppeared {
@@ -129,9 +129,9 @@ pub enum Error {
     /// Nothing is left of an element, or it has turned inside out.
     #[error(
         "element {element} of {elements} of the rod `{rod}` has collapsed at {}: it is \
-         pressed to nothing, or inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, or the \
-         steps too long",
-        when(*time, *statics)
+         pressed to nothing, or inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, {}",
+        when(*time, *statics),
+        if *statics { "or the steps too long" } else { CURE_OF_COLLAPSE }
     )]
     Collapsed {
         /// Name of the rod.
@@ -161,10 +161,10 @@ pub enum Error {
         /// Whether it is statics.
         statics: bool,
     },
-    /// The estimated error of a run leaves no digit of it.
+    /// The estimated error of a run leaves no digit of it sure.
     #[error(
-        "the {place} is off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, beside a motion of {moved:.1e} m: \
-         no digit is right; a smaller `time.step` or `time.tolerance`, more `elements`, or a `history` for what comes suddenly help"
+        "the {place} is off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, together more than a \
+         tenth of the motion of {moved:.1e} m, so that not even the first digit is sure; a smaller `time.step` or `time.tolerance`, more `elements`, or a `history` for what comes suddenly help"
     )]
     Inaccurate {
         /// What is off most, in words.
@@ -197,7 +197,7 @@ pub enum Error {
     #[error(
         "at t = {} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \
          {tolerance:.1e} m; a larger `time.tolerance` helps, or a `history` where a force or heat comes suddenly",
-        rounded(*time)
+        written(*time)
     )]
     StepTooSmall {
         /// Time at the start of the step, s.
@@ -210,7 +210,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// A quantity stopped being a finite number.
-    #[error("{quantity} is no longer finite at t = {} s, step {step}; a smaller `time.step` helps", rounded(*time))]
+    #[error("{quantity} is no longer finite at t = {} s, step {step}; a smaller `time.step` helps", written(*time))]
     NotFinite {
         /// What it was.
         quantity: &'static str,
@@ -330,11 +330,21 @@ fn rounded(time: f64) -> f64 {
     format!("{time:.11e}").parse().unwrap_or(time)
 }
 
+/// The same in text; with an exponent where there would be a row of zeros.
+fn written(time: f64) -> String {
+    let time = rounded(time);
+    if time == 0.0 || (1e-9..=1e9).contains(&time.abs()) { format!("{time}") } else { format!("{time:e}") }
+}
+
 /// A time, or the load factor of statics, in words.
 fn when(time: f64, statics: bool) -> String {
-    let time = rounded(time);
+    let time = written(time);
     if statics { format!("{time} of the load") } else { format!("t = {time} s") }
 }
+
+/// What helps where an element collapses in motion. What comes suddenly may drive it there within one step, where shorter ones would not.
+const CURE_OF_COLLAPSE: &str = "or come too suddenly for the step: a `history` that lets them grow helps, or a smaller `time.step`, or \
+     `time.tolerance` for adaptive methods";
 
 /// What helps where an iteration does not converge.
 fn cure_of_iteration(residual: f64, at_rounding: bool) -> &'static str {
@@ -379,6 +389,33 @@ mod tests {
         assert_eq!(rounded(123.456_789_012_3), 123.456_789_012);
         assert_eq!(rounded(1e-7), 1e-7);
         assert!(rounded(f64::NAN).is_nan());
+        for (time, text) in [
+            (1e-303, "1e-303"),
+            (3e-10, "3e-10"),
+            (2e9, "2e9"),
+            (1e-9, "0.000000001"),
+            (0.0, "0"),
+            (-0.5, "-0.5"),
+            (1e9, "1000000000"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(written(time), text);
+        }
+    }
+
+    /// What comes suddenly collapses in a step what it would not in truth.
+    #[test]
+    fn a_collapse_in_motion_tells_of_sudden_loads() {
+        let message = |statics| {
+            let (rod, element, elements, time) = ("rod".into(), 1, 2, 0.5);
+            Error::Collapsed { rod, element, elements, time, statics }.to_string()
+        };
+        let motion = message(false);
+        assert!(
+            ["suddenly", "`history`", "`time.step`", "`time.tolerance`"].iter().all(|part| motion.contains(part)),
+            "{motion}"
+        );
+        assert!(message(true).ends_with("or the steps too long"), "{}", message(true));
     }
 
     #[test]

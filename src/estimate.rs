@@ -8,28 +8,33 @@
 //! adaptive method's local errors says as much: the first knows nothing of places, and the second nothing of how errors grow or
 //! cancel on their way.
 //!
+//! **When.** Methods of fixed steps are compared after each step, or in long runs after every few, and at the rows: a vibration that they
+//! damp is gone from both runs alike before a late row. The error is the largest of all these instants. Methods that choose their steps are
+//! compared at the rows, and statics at its load steps.
+//!
 //! What both runs miss changes nothing. Where a history comes and goes within a step (`run::short`) the finer steps are as many in one
 //! as it takes to see it, sixteen at most, and without them there is no estimate.
 //!
-//! **No digit.** Each place is judged beside its own motion: the way from its start, or from where it would have gone straight on with the
+//! **No sure digit.** Each place is judged beside its own motion: the way from its start, or from where it would have gone straight on with the
 //! centre of what it hangs together with, whichever is shorter, so that neither a far journey nor another part's swing hides it. A place that moves by
 //! less than a millionth of the structure's size is judged beside the one that moves farthest.
 
 use std::collections::BTreeSet;
 
+use nalgebra::DVector;
 use serde::Serialize;
 
 use crate::error::{Error, Result};
 use crate::integrators::{State, integrator};
 use crate::plan::Plan;
-use crate::run::{Run, mass, missed, moves, run, run_with_progress};
-use crate::scene::{Method, Probe, Quantity, Rod, Scene};
+use crate::run::{Run, mass, missed, moves, run_seen};
+use crate::scene::{Method, Quantity, Rod, Scene};
 use crate::structure::Structure;
 
 /// A halved step, or element, at least halves the error: what is left is as much as what has changed.
 const SAFETY: f64 = 2.0;
 
-/// A result whose estimated error is more than this part of its motion has no digit to rely on.
+/// A result whose estimated error is more than this part of its motion has no digit that is sure.
 const NO_DIGIT: f64 = 0.1;
 
 /// Motion of a place, of the structure's size, that is too small to judge it by.
@@ -47,10 +52,13 @@ const MORE: f64 = 1.5;
 /// Most steps in one of the run's for what comes and goes within it.
 const MOST_PARTS: usize = 16;
 
+/// Most vectors of places in all instants of a run, which are kept in memory: 32 MB.
+const MOST_SEEN: usize = 2_000_000;
+
 /// An estimated error.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Estimate {
-    /// Largest over the rows, m.
+    /// Largest over all instants that are compared, m.
     pub value: f64,
     /// "m".
     pub unit: &'static str,
@@ -65,6 +73,8 @@ pub struct Accuracy {
     pub time: Option<Estimate>,
     /// The mesh's part.
     pub space: Option<Estimate>,
+    /// Both together as they are at the rows alone, m: what is comparable with errors that are known there only.
+    pub at_rows: Option<f64>,
 }
 
 impl Accuracy {
@@ -81,76 +91,48 @@ impl Accuracy {
 /// the motion of its place, and [`Error::Unstable`] for an equilibrium that is.
 pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     scene.validate("scene")?;
-    let watched = watched(scene);
-    watched.validate("scene").map_err(|error| no_estimate("a probe of each point", error))?;
-    let mut own = run_with_progress(&watched, on_step)?;
-    let (finer, in_time, how) = finer_in_time(&watched, &own)?;
-    let places = places(&watched);
-    let time = changes(&places, &watched, &own, &finer, &in_time);
+    let sight = Sight::of(scene);
+    let (mut own, seen) = sight.run_with_progress(scene, on_step)?;
+    let (finer, in_time, seen_in_time, how) = finer_in_time(&sight, &own)?;
+    let time = sight.changes(&seen, &seen_in_time, |_| true);
 
     // Explicit steps have to be shorter on a finer mesh, and are compared with as short ones.
-    let explicit = watched.time.method.is_explicit();
-    let (base, base_run) = if explicit { (&finer, &in_time) } else { (&watched, &own) };
+    let explicit = scene.time.method.is_explicit();
+    let (base, seen_of_base) = if explicit { (&finer, &seen_in_time) } else { (scene, &seen) };
     let mut mesh = base.clone();
     mesh.rods.iter_mut().for_each(|rod| rod.elements *= 2);
     let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
     let mesh = stable(mesh).map_err(|error| no_estimate(&on_mesh, error))?;
-    let on_finer = run(&mesh).map_err(|error| no_estimate(&on_mesh, error))?;
-    let space = changes(&places, base, base_run, &mesh, &on_finer);
+    let (on_finer, seen_on_finer) = sight.run(&mesh).map_err(|error| no_estimate(&on_mesh, error))?;
+    let space = sight.changes(seen_of_base, &seen_on_finer, |_| true);
 
     let directions = [&own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
     if directions > 0 {
         return Err(Error::Unstable { directions });
     }
-    judge(&watched, &places, &own, &time, &space)?;
-    let [time, space] = [time, space].map(|errors| errors.into_iter().fold(0.0, f64::max));
+    sight.judge(&seen, &time, &space)?;
+    let worst = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
+    let pairs = [(&seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
+    let at_rows = pairs.map(|(own, finer)| worst(sight.changes(own, finer, |is_row| is_row))).iter().sum();
+    let [time, space] = [time, space].map(worst);
+    let when = sight.when();
     let estimate = |value, method: &str| {
         let method = format!(
-            "{SAFETY} × the largest change of a position by {method}; velocities, reactions and energies are not estimated"
+            "{SAFETY} × the largest change of a position, {when}, by {method}; velocities, reactions and energies are not estimated"
         );
         Some(Estimate { value, unit: "m", method })
     };
-    own.accuracy = Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh) };
-    let columns = scene.columns();
-    let kept: Vec<usize> =
-        columns.iter().filter_map(|name| own.trajectory.columns.iter().position(|c| c == name)).collect();
-    own.trajectory.rows.iter_mut().for_each(|row| *row = kept.iter().map(|column| row[*column]).collect());
-    own.trajectory.columns = columns;
+    own.accuracy = Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh), at_rows: Some(at_rows) };
     Ok(own)
-}
-
-/// The scene with a probe of each of its points, and of the middles of rods that are held at both ends, of which points say nothing.
-fn watched(scene: &Scene) -> Scene {
-    let mut watched = scene.clone();
-    let mut look = |place: String, probe: Probe| {
-        let name = format!("estimate {} of {place}", watched.probes.len());
-        watched.probes.push(Probe { name, ..probe });
-    };
-    let nowhere = Probe { name: String::new(), point: None, rod: None, at: None, of: vec![Quantity::Position] };
-    let pivots: BTreeSet<&String> = scene.rods.iter().filter_map(|rod| rod.pivot.as_ref()).collect();
-    for point in scene.points.keys().chain(pivots) {
-        look(point.clone(), Probe { point: Some(point.clone()), ..nowhere.clone() });
-    }
-    let is_held = |point: &String| {
-        let supports = scene.supports.iter().filter(|support| support.point == *point);
-        supports.map(|support| support.held().len()).sum::<usize>() > 1
-    };
-    for rod in scene.rods.iter().filter(|rod| is_held(&rod.from) && is_held(&rod.to)) {
-        // A bow, and a wave with a node in the middle.
-        for at in [0.5, 0.25] {
-            let of = vec![Quantity::Deflection];
-            look(rod.name.clone(), Probe { rod: Some(rod.name.clone()), at: Some(at), of, ..nowhere.clone() });
-        }
-    }
-    watched
 }
 
 fn no_estimate(what: &str, error: Error) -> Error {
     Error::NoEstimate { what: what.into(), reason: error.to_string() }
 }
 
-/// The scene with its steps made finer, its run, and in words how.
-fn finer_in_time(scene: &Scene, own: &Run) -> Result<(Scene, Run, String)> {
+/// The scene with its steps made finer, its run and what is seen of it, and in words how.
+fn finer_in_time(sight: &Sight, own: &Run) -> Result<(Scene, Run, Seen, String)> {
+    let scene = sight.scene;
     let mut finer = scene.clone();
     let how = match scene.time.method {
         Method::Static => {
@@ -169,33 +151,33 @@ fn finer_in_time(scene: &Scene, own: &Run) -> Result<(Scene, Run, String)> {
             if parts == 2 { "half the step".into() } else { format!("1/{parts} of the step") }
         }
     };
-    let (mut run_of_it, how) = with_finer_newton(&mut finer, how)?;
+    let (mut run_of_it, mut seen, how) = with_finer_newton(sight, &mut finer, how)?;
     // Where rows and corners of histories are closer than half the longest step, all steps would be the same.
     for _ in 0..HALVINGS {
         if !scene.time.method.is_adaptive() || run_of_it.counts.steps as f64 >= MORE * own.counts.steps as f64 {
             break;
         }
         divide(&mut finer, 2);
-        run_of_it = run(&finer).map_err(|error| no_estimate(&how, error))?;
+        (run_of_it, seen) = sight.run(&finer).map_err(|error| no_estimate(&how, error))?;
     }
-    Ok((finer, run_of_it, how))
+    Ok((finer, run_of_it, seen, how))
 }
 
 /// Runs the scene with a tenth of Newton's tolerance; with its own where rounding leaves no less.
-fn with_finer_newton(finer: &mut Scene, how: String) -> Result<(Run, String)> {
+fn with_finer_newton(sight: &Sight, finer: &mut Scene, how: String) -> Result<(Run, Seen, String)> {
     let tolerance = finer.time.newton_tolerance;
     // Steps of any length end their iteration alike.
     if !finer.time.method.is_explicit() && tolerance > LEAST_TOLERANCE {
         finer.time.newton_tolerance = (tolerance / 10.0).max(LEAST_TOLERANCE);
         let how = format!("{how}, a tenth of Newton's tolerance");
-        match run(finer) {
+        match sight.run(finer) {
             Err(Error::NewtonFailed { at_rounding: true, .. }) => finer.time.newton_tolerance = tolerance,
             Err(error) => return Err(no_estimate(&how, error)),
-            Ok(run) => return Ok((run, how)),
+            Ok((run, seen)) => return Ok((run, seen, how)),
         }
     }
-    let run = run(finer).map_err(|error| no_estimate(&how, error))?;
-    Ok((run, how))
+    let (run, seen) = sight.run(finer).map_err(|error| no_estimate(&how, error))?;
+    Ok((run, seen, how))
 }
 
 /// In how many parts a step has to be divided until no history comes and goes within one.
@@ -234,44 +216,170 @@ fn stable(mut scene: Scene) -> Result<Scene> {
     Ok(scene)
 }
 
+/// What is looked at in all runs of an estimate, and when.
+struct Sight<'a> {
+    /// That of the run itself.
+    scene: &'a Scene,
+    places: Vec<Place>,
+    /// Steps of the run itself from one look to the next; rows are looked at, too.
+    every: usize,
+}
+
 /// What is compared: a position, or a deflection.
 struct Place {
-    /// In words.
-    name: String,
-    columns: Vec<usize>,
+    of: Of,
     /// Velocity at the start of the centre of its part of the structure, m/s.
     velocity: [f64; 2],
 }
 
-fn places(scene: &Scene) -> Vec<Place> {
-    let mut column = 1;
-    let mut places = Vec::new();
-    for probe in &scene.probes {
-        for quantity in &probe.of {
-            let columns: Vec<usize> = (column..column + quantity.suffixes().len()).collect();
-            column += columns.len();
-            let whose = match (&probe.point, &probe.rod) {
-                (Some(point), _) => format!("`{point}`"),
-                (None, rod) => format!("the rod `{}`", rod.as_deref().unwrap_or_default()),
-            };
-            let (what, velocity) = match quantity {
-                Quantity::Position => ("position", drift(scene, probe).unwrap_or_default()),
-                Quantity::Deflection => ("deflection", [0.0; 2]),
-                _ => continue,
-            };
-            places.push(Place { name: format!("{what} of {whose}"), columns, velocity });
-        }
-    }
-    places
+enum Of {
+    Point(String),
+    /// A rod's deflection at a part of its length.
+    Rod(String, f64),
 }
 
-/// Velocity at the start of the centre of the rods that hang together with a probe's; `None` where nothing moves.
-fn drift(scene: &Scene, probe: &Probe) -> Option<[f64; 2]> {
+/// What was seen of a run.
+#[derive(Default)]
+struct Seen {
+    /// Times of the instants, s.
+    times: Vec<f64>,
+    /// Whether they are rows of the run itself.
+    rows: Vec<bool>,
+    /// All places at the first instant, at the second, …, m; a deflection has one component.
+    places: Vec<[f64; 2]>,
+}
+
+impl Seen {
+    /// A place at all instants.
+    fn of(&self, place: usize) -> impl Iterator<Item = [f64; 2]> {
+        self.places.iter().copied().skip(place).step_by((self.places.len() / self.times.len().max(1)).max(1))
+    }
+}
+
+impl Place {
+    fn name(&self) -> String {
+        match &self.of {
+            Of::Point(name) => format!("position of `{name}`"),
+            Of::Rod(name, _) => format!("deflection of the rod `{name}`"),
+        }
+    }
+
+    fn at(&self, structure: &Structure, u: &DVector<f64>) -> [f64; 2] {
+        match &self.of {
+            Of::Point(name) => structure.position(name, u),
+            Of::Rod(name, at) => [structure.deflection(name, *at, u), 0.0],
+        }
+    }
+}
+
+impl Sight<'_> {
+    /// All points, deflections that probes ask for, and those of rods that are held at both ends, of which points say nothing.
+    fn of(scene: &Scene) -> Sight<'_> {
+        let point =
+            |name: &String| Place { of: Of::Point(name.clone()), velocity: drift(scene, name).unwrap_or_default() };
+        let rod = |name: &String, at: f64| Place { of: Of::Rod(name.clone(), at), velocity: [0.0; 2] };
+        let pivots: BTreeSet<&String> = scene.rods.iter().filter_map(|rod| rod.pivot.as_ref()).collect();
+        let points = scene.points.keys().chain(pivots).map(point);
+        let bends = scene.probes.iter().filter(|probe| probe.of.contains(&Quantity::Deflection));
+        let probed = bends.filter_map(|probe| Some(rod(probe.rod.as_ref()?, probe.at?)));
+        let is_held = |point: &String| {
+            let supports = scene.supports.iter().filter(|support| support.point == *point);
+            supports.map(|support| support.held().len()).sum::<usize>() > 1
+        };
+        let held = scene.rods.iter().filter(|rod| is_held(&rod.from) && is_held(&rod.to));
+        // A bow, and a wave with a node in the middle.
+        let bows = held.flat_map(|held| [0.5, 0.25].map(|at| rod(&held.name, at)));
+        let places: Vec<Place> = points.chain(probed).chain(bows).collect();
+
+        let every = (scene.steps() * places.len()).div_ceil(MOST_SEEN).max(1);
+        Sight { scene, places, every }
+    }
+
+    fn run(&self, scene: &Scene) -> Result<(Run, Seen)> {
+        self.run_with_progress(scene, |_| ())
+    }
+
+    /// A run of the scene, or of a finer one, which makes several steps in one.
+    fn run_with_progress(&self, scene: &Scene, on_step: impl FnMut(usize)) -> Result<(Run, Seen)> {
+        let parts = (scene.steps() / self.scene.steps()).max(1);
+        let looks_at = |step: usize| step.is_multiple_of(self.every) || self.scene.is_row(step);
+        let mut seen = Seen::default();
+        let run = run_seen(scene, &Plan::of(scene), on_step, |step, structure, state| {
+            if step.is_multiple_of(parts) && looks_at(step / parts) {
+                seen.times.push(state.t);
+                seen.rows.push(self.scene.is_row(step / parts));
+                seen.places.extend(self.places.iter().map(|place| place.at(structure, &state.u)));
+            }
+        })?;
+        Ok((run, seen))
+    }
+
+    /// When it looks, in words.
+    fn when(&self) -> String {
+        match (self.scene.time.method, self.every) {
+            (Method::Static, 1) => "compared after each load step".into(),
+            (method, 1) if method.is_adaptive() => "compared at the rows".into(),
+            (_, 1) => "compared after each step".into(),
+            (_, every) => format!("compared after every {every} steps and at the rows"),
+        }
+    }
+
+    /// Estimated errors of the places: twice the largest distance of two runs, at instants that count as rows or others do; not a number
+    /// where one of them is not.
+    fn changes(&self, own: &Seen, finer: &Seen, counts: impl Fn(bool) -> bool) -> Vec<f64> {
+        if own.times.len() != finer.times.len() {
+            return vec![f64::NAN; self.places.len()];
+        }
+        let apart = |([x, y], [other_x, other_y]): ([f64; 2], [f64; 2])| (x - other_x).hypot(y - other_y);
+        let change = |place: usize| {
+            let pairs = own.of(place).zip(finer.of(place)).zip(&own.rows);
+            SAFETY * largest(pairs.filter(|(_, is_row)| counts(**is_row)).map(|(pair, _)| apart(pair)))
+        };
+        (0..self.places.len()).map(change).collect()
+    }
+
+    /// Refuses errors that leave no digit of a place's motion sure.
+    ///
+    /// # Errors
+    /// [`Error::Inaccurate`] of the worst place.
+    fn judge(&self, seen: &Seen, time: &[f64], space: &[f64]) -> Result<()> {
+        // From the start, or from where it would be without loads.
+        let way = |place: usize, coasts: f64| {
+            let [x_0, y_0] = seen.of(place).next().unwrap_or_default();
+            let [v_x, v_y] = self.places[place].velocity.map(|velocity| coasts * velocity);
+            let gone = |([x, y], t): ([f64; 2], &f64)| (x - x_0 - t * v_x).hypot(y - y_0 - t * v_y);
+            largest(seen.of(place).zip(&seen.times).map(gone))
+        };
+        let farthest = largest((0..self.places.len()).map(|place| way(place, 0.0)));
+        let (size, resting) = (self.scene.size(), !moves(self.scene));
+        let judged = |((place, time), space): ((usize, &f64), &f64)| {
+            let own = way(place, 0.0).min(way(place, 1.0));
+            // Where nothing moves the structure there is no motion to compare with.
+            let moved = if resting {
+                farthest.max(size)
+            } else if own >= HARDLY * size {
+                own
+            } else {
+                farthest
+            };
+            // A NaN is not small.
+            let small = time + space <= NO_DIGIT * moved;
+            let name = || self.places[place].name();
+            (!small).then(|| Error::Inaccurate { place: name(), time: *time, space: *space, moved })
+        };
+        let share = |error: &Error| match error {
+            Error::Inaccurate { time, space, moved, .. } => (time + space) / moved,
+            _ => 0.0,
+        };
+        let bad = (0..self.places.len()).zip(time).zip(space).filter_map(judged);
+        bad.max_by(|a, b| share(a).total_cmp(&share(b))).map_or(Ok(()), Err)
+    }
+}
+
+/// Velocity at the start of the centre of the rods that hang together with a point; `None` where nothing moves.
+fn drift(scene: &Scene, point: &String) -> Option<[f64; 2]> {
     let motion = scene.motion.as_ref()?;
-    let probed = |rod: &&Rod| {
-        Some(&rod.name) == probe.rod.as_ref() || ends(rod).any(|point| Some(point) == probe.point.as_ref())
-    };
-    let mut points: BTreeSet<&String> = scene.rods.iter().filter(probed).flat_map(ends).collect();
+    let mut points = BTreeSet::from([point]);
     let hangs = |points: &BTreeSet<&String>, rod: &Rod| ends(rod).any(|point| points.contains(point));
     // As many rounds as the longest chain of rods has.
     for _ in &scene.rods {
@@ -290,63 +398,6 @@ fn drift(scene: &Scene, probe: &Probe) -> Option<[f64; 2]> {
 /// Points of a rod.
 fn ends(rod: &Rod) -> impl Iterator<Item = &String> {
     [&rod.from, &rod.to].into_iter().chain(&rod.pivot)
-}
-
-/// Estimated errors of the places: twice the largest distance of two runs at the rows of the first; not a number where one of them
-/// is not.
-fn changes(places: &[Place], scene: &Scene, own: &Run, other: &Scene, finer: &Run) -> Vec<f64> {
-    let every = if scene.time.method == Method::Static { other.time.load_steps / scene.time.load_steps } else { 1 };
-    let (rows, others) = (&own.trajectory.rows, finer.trajectory.rows.iter().step_by(every));
-    if rows.len() != others.len() {
-        return vec![f64::NAN; places.len()];
-    }
-    let change = |place: &Place| {
-        let apart = |(a, b): (&Vec<f64>, &Vec<f64>)| norm(place.columns.iter().map(|column| a[*column] - b[*column]));
-        SAFETY * largest(rows.iter().zip(others.clone()).map(apart))
-    };
-    places.iter().map(change).collect()
-}
-
-/// Refuses errors that leave no digit of a place's motion.
-///
-/// # Errors
-/// [`Error::Inaccurate`] of the worst place.
-fn judge(scene: &Scene, places: &[Place], own: &Run, time: &[f64], space: &[f64]) -> Result<()> {
-    let Some(first) = own.trajectory.rows.first() else { return Ok(()) };
-    // From the start, or from where it would be without loads.
-    let way = |place: &Place, coasts: f64| {
-        let gone = |row: &Vec<f64>| {
-            let straight = place.velocity.map(|velocity| coasts * velocity * (row[0] - first[0]));
-            norm(place.columns.iter().zip(straight).map(|(column, straight)| row[*column] - first[*column] - straight))
-        };
-        largest(own.trajectory.rows.iter().map(gone))
-    };
-    let farthest = largest(places.iter().map(|place| way(place, 0.0)));
-    let (size, resting) = (scene.size(), !moves(scene));
-    let judged = |((place, time), space): ((&Place, &f64), &f64)| {
-        let own = way(place, 0.0).min(way(place, 1.0));
-        // Where nothing moves the structure there is no motion to compare with.
-        let moved = if resting {
-            farthest.max(size)
-        } else if own >= HARDLY * size {
-            own
-        } else {
-            farthest
-        };
-        // A NaN is not small.
-        let small = time + space <= NO_DIGIT * moved;
-        (!small).then(|| Error::Inaccurate { place: place.name.clone(), time: *time, space: *space, moved })
-    };
-    let share = |error: &Error| match error {
-        Error::Inaccurate { time, space, moved, .. } => (time + space) / moved,
-        _ => 0.0,
-    };
-    let bad = places.iter().zip(time).zip(space).filter_map(judged);
-    bad.max_by(|a, b| share(a).total_cmp(&share(b))).map_or(Ok(()), Err)
-}
-
-fn norm(components: impl Iterator<Item = f64>) -> f64 {
-    components.map(|component| component * component).sum::<f64>().sqrt()
 }
 
 /// In the total order NaN is the largest, and is not lost.

@@ -78,7 +78,20 @@ pub fn run_with_progress(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Ru
 ///
 /// # Errors
 /// Those of [`run`].
-pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -> Result<Run> {
+pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(usize)) -> Result<Run> {
+    run_seen(scene, plan, on_step, |_, _, _| ())
+}
+
+/// The same, and `see` is shown the state at the start and after each of [`Scene::steps`].
+///
+/// # Errors
+/// Those of [`run`].
+pub(crate) fn run_seen(
+    scene: &Scene,
+    plan: &Plan,
+    mut on_step: impl FnMut(usize),
+    mut see: impl FnMut(usize, &Structure, &State),
+) -> Result<Run> {
     let clock = Instant::now();
     scene.validate("scene")?;
     let structure = Structure::planned(scene, plan)?;
@@ -89,6 +102,7 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
     let mut recorder = Recorder::new(scene, plan, &structure, &state, &mut counts)?;
 
     recorder.record(&state, method.multipliers(), &mut counts)?;
+    see(0, &structure, &state);
     let mut watch = Watch::new(scene, &structure);
     // Nothing in this loop asks for memory.
     for step in 1..=scene.steps() {
@@ -115,6 +129,7 @@ pub fn run_planned(scene: &Scene, plan: &Plan, mut on_step: impl FnMut(usize)) -
             recorder.record(&state, method.multipliers(), &mut counts)?;
             watch.row(&structure, &state)?;
         }
+        see(step, &structure, &state);
         on_step(step);
     }
     let mut warnings = warnings(scene);

@@ -217,6 +217,28 @@ fn a_history_within_a_step_is_warned_of() {
         assert!(warned(method, vec![[0.0, 1.0], [1e-4, 0.0]]).is_some());
     }
     assert_eq!(warned(Method::GaussAdaptive, pulse), None);
+    // A wave of stretches as long as the step, which vanishes at the end of each; in phase it is seen.
+    let wave = |phase: f64| -> Vec<[f64; 2]> {
+        let corners = (0..9).map(|k| [(f64::from(k) + phase) * 1e-3, 1.0 - 2.0 * f64::from(k % 2)]);
+        [[0.0, 0.0]].into_iter().chain(corners).collect()
+    };
+    for method in [Method::EnergyMomentum, Method::GeneralizedAlpha] {
+        assert!(warned(method, wave(0.5)).unwrap().contains("no more than the step"), "{method}");
+        assert_eq!(warned(method, wave(1.0)), None, "{method}");
+    }
+}
+
+/// A pulse within the rounding of times, as strong as it may be, is no two steps of an adaptive method.
+#[test]
+fn a_pulse_within_the_rounding_of_times_is_warned_of() {
+    let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+    (scene.rods[0].elements, scene.time.method, scene.time.end) = (1, Method::GaussAdaptive, 1.0);
+    let pulse = |length: f64| vec![[0.5, 0.0], [0.5 + length, 1.0], [0.5 + 2.0 * length, 0.0]];
+    for (length, warned) in [(f64::EPSILON, true), (1e-12, false)] {
+        scene.forces = vec![force("a", [0.0, 1.0], Some(pulse(length)))];
+        let warnings = must_run(&scene).warnings;
+        assert_eq!(warnings.iter().any(|warning| warning.contains("rounding of times")), warned, "{warnings:?}");
+    }
 }
 
 /// Steps that do not resolve the wave of sudden heat: a twentieth of its way along an element for a method of order two, a third for one

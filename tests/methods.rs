@@ -356,7 +356,7 @@ fn adaptive_methods_land_on_corners() {
     }
 }
 
-/// A corner at a row, up to rounding, or next to the end of the run, makes no step of its own.
+/// A corner at a row, or at the end of the run, up to rounding, makes no step of its own.
 #[test]
 fn corners_at_rows_cost_nothing() {
     for method in ADAPTIVE {
@@ -366,7 +366,7 @@ fn corners_at_rows_cost_nothing() {
             must_run(&scene)
         };
         let at_rows = run_with(vec![[0.05, 0.0], [0.15, 1.0], [0.5, 1.0]]);
-        let beside = run_with(vec![[0.05 - 1e-14, 0.0], [3.0 * 0.05, 1.0], [0.5 - 1e-12, 1.0]]);
+        let beside = run_with(vec![[0.05 - 1e-17, 0.0], [3.0 * 0.05, 1.0], [0.5 - 2e-16, 1.0]]);
         assert_eq!((at_rows.counts.steps, at_rows.counts.rejected), (beside.counts.steps, beside.counts.rejected));
     }
 }
@@ -410,6 +410,33 @@ fn energy_is_accounted_for_with_adaptive_steps() {
             });
             println!("{method}, {element}: balances {balances:?} of the input");
             assert!(balances[0] <= 1e-5 && balances[2] <= 0.15 * balances[0], "{method}, {element}: {balances:?}");
+        }
+    }
+}
+
+/// What a force does within no time, its impulse does: a pulse is seen however short it is, at a row and between two, where steps may be
+/// as long as half a second.
+#[test]
+fn adaptive_methods_pass_over_no_pulse() {
+    for (element, method) in KINDS.iter().flat_map(|(element, _)| ADAPTIVE.map(|method| (*element, method))) {
+        let hit = |at: f64, length: f64| {
+            let mut scene = adaptive(element, method, 1e-7);
+            scene.time.step = 0.5;
+            if length > 0.0 {
+                let history = vec![[at, 0.0], [at + length, 1.0], [at + 2.0 * length, 0.0]];
+                scene.forces.push(Force { point: "a".into(), force: [0.0, 0.1 / length], history: Some(history) });
+            }
+            tip(&scene)
+        };
+        let nothing = hit(0.0, 0.0);
+        for at in [0.1, 0.12] {
+            let long = hit(at, 1e-6);
+            assert!(farthest(&long, &nothing) > 1e-2, "{}", farthest(&long, &nothing));
+            for length in [1e-8, 1e-10, 1e-12] {
+                let off = farthest(&hit(at, length), &long);
+                println!("{element}, {method}, {at} s, {length:e} s: {off:.1e} m");
+                assert!(off < 1e-4, "{element}, {method}, {at} s, {length:e} s: {off:e}");
+            }
         }
     }
 }

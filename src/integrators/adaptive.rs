@@ -10,8 +10,13 @@ use crate::counts::Counts;
 use crate::error::{Error, Result};
 use crate::structure::Structure;
 
-/// The shortest step, of the longest.
+/// The shortest step, of the longest; those that a corner or a row ends may be shorter.
 const SHORTEST: f64 = 1e-6;
+
+/// Times that differ by no more are the same, up to a time `t`: a few times their rounding, of which a step cannot be made.
+pub fn same_time(t: f64) -> f64 {
+    4.0 * f64::EPSILON * t
+}
 
 /// What a step may be of the one that the estimate calls for.
 const SAFETY: f64 = 0.9;
@@ -63,10 +68,10 @@ impl<M: Embedded> Adaptive<M> {
         Adaptive { method, tolerance, longest, next: longest, corners, before: state.clone() }
     }
 
-    /// Where the steps from `t` towards `t_1` have to end first: there, or at a corner before. One that is nearer to either than the
-    /// shortest step is passed over.
+    /// Where the steps from `t` towards `t_1` have to end first: there, or at a corner before, however near: a pulse between two of
+    /// them may be as strong as it is short.
     fn goal(&self, t: f64, t_1: f64) -> f64 {
-        let near = SHORTEST * self.longest;
+        let near = same_time(t_1);
         let next = self.corners.partition_point(|corner| *corner <= t + near);
         self.corners.get(next).copied().filter(|corner| *corner < t_1 - near).unwrap_or(t_1)
     }

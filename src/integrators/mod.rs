@@ -20,6 +20,7 @@ use crate::scene::{Method, Scene};
 use crate::statics::Statics;
 use crate::structure::{MassFactors, Structure};
 
+pub(crate) use adaptive::same_time;
 pub use adaptive::{Adaptive, Embedded};
 pub use energy_momentum::EnergyMomentum;
 pub use explicit::Explicit;

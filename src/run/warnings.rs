@@ -26,11 +26,18 @@ pub fn warnings(scene: &Scene) -> Vec<String> {
 fn missed_warning(scene: &Scene) -> Option<String> {
     let step = scene.time.step;
     let short = missed(scene, step)?;
-    Some(format!(
-        "{} rises and falls within less than the step of {step:e} s, in as little as {:.1e} s: steps may miss it altogether, or take it \
-         for another; a smaller step, or a method that chooses its steps, does not",
-        short.what, short.length
-    ))
+    let (what, length) = (short.what, short.length);
+    Some(if scene.time.method.is_adaptive() {
+        format!(
+            "{what} rises and falls within the rounding of times, in as little as {length:.1e} s: steps may pass over it; longer times do \
+             not, with smaller values"
+        )
+    } else {
+        format!(
+            "{what} rises and falls within no more than the step of {step:e} s, in as little as {length:.1e} s: steps may miss it \
+             altogether, or take it for another; a smaller step, or a method that chooses its steps, does not"
+        )
+    })
 }
 
 /// Rods of the paper's element with ν ≠ 0 are too stiff in bending, whatever the mesh.
