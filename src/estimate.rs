@@ -87,7 +87,7 @@ impl Accuracy {
 /// Runs a scene and estimates its errors; `on_step` hears of the steps of the run itself.
 ///
 /// # Errors
-/// Those of [`run`]; [`Error::NoEstimate`] where a finer run fails, and [`Error::Inaccurate`] where an estimate is more than a tenth of
+/// Those of [`run`](crate::run::run); [`Error::NoEstimate`] where a finer run fails, and [`Error::Inaccurate`] where an estimate is more than a tenth of
 /// the motion of its place, and [`Error::Unstable`] for an equilibrium that is.
 pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     scene.validate("scene")?;
