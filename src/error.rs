@@ -164,7 +164,8 @@ pub enum Error {
     /// The estimated error of a run leaves no digit of it sure.
     #[error(
         "the {place} is off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, together more than a \
-         tenth of the motion of {moved:.1e} m, so that not even the first digit is sure; a smaller `time.step` or `time.tolerance`, more `elements`, or a `history` for what comes suddenly help"
+         tenth of the motion of {moved:.1e} m, so that not even the first digit is sure; a smaller `time.step` or \
+         `time.tolerance`, more `elements`, or a `history` for what comes suddenly help"
     )]
     Inaccurate {
         /// What is off most, in words.

@@ -132,12 +132,15 @@ fn what_no_cable_element_can_be_is_refused_by_its_key() {
         CableState::parse(&case.state.to_string(), &case.id).unwrap();
     }
     let right = &of_cables.next_back().unwrap().state;
+    let mut slope_off = right["e0"].clone();
+    slope_off[2] = json!(slope_off[2].as_f64().unwrap() + 0.5);
     for (key, value, refused) in [
         ("w", json!(0), "w"),
         ("nu", json!(0.5), "nu"),
         ("dT", json!(-1e9), "dT"),
         ("theta", json!(0.3), "theta"),
         ("e0", json!([0, 0, 1, 0, 2, 0, 1, 0]), "e0"),
+        ("e0", slope_off, "e0"),
         ("points", json!([[0, 1e-3]]), "points[0][1]"),
         ("points", json!([]), "points"),
         ("edot", json!([]), "edot"),

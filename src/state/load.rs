@@ -3,7 +3,7 @@
 use std::io::ErrorKind;
 
 use serde::Deserialize;
-use serde::de::IgnoredAny;
+use serde::de::{DeserializeOwned, IgnoredAny};
 
 use super::{CableState, ElementState, ThermalModel};
 use crate::conformance::suite::{Parsed, Suite};
@@ -53,9 +53,7 @@ impl ElementState {
     /// # Errors
     /// [`Error::Scene`] with file, key, value and what is allowed.
     pub fn parse(text: &str, file: &str) -> Result<ElementState> {
-        let state: ElementState = read_json(text, file, "state")?;
-        state.check().map_err(|refused| refused.in_file(text, file))?;
-        Ok(state)
+        read(text, file, ElementState::check)
     }
 
     /// What an element has to fulfil beyond the types of its numbers.
@@ -79,9 +77,7 @@ impl CableState {
     /// # Errors
     /// [`Error::Scene`] with file, key, value and what is allowed.
     pub fn parse(text: &str, file: &str) -> Result<CableState> {
-        let state: CableState = read_json(text, file, "state")?;
-        state.check().map_err(|refused| refused.in_file(text, file))?;
-        Ok(state)
+        read(text, file, CableState::check)
     }
 
     /// What a cable element has to fulfil beyond the types of its numbers.
@@ -97,6 +93,13 @@ impl CableState {
         common.check_initial(&[i, t, k, t])?;
         common.check_points(0.0, "0: points are those of the axis")
     }
+}
+
+/// A state that fulfils what it has to.
+fn read<T: DeserializeOwned>(text: &str, file: &str, check: fn(&T) -> std::result::Result<(), Refused>) -> Result<T> {
+    let state = read_json(text, file, "state")?;
+    check(&state).map_err(|refused| refused.in_file(text, file))?;
+    Ok(state)
 }
 
 /// What states of both elements have.
