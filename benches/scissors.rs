@@ -7,11 +7,11 @@
 
 use std::hint::black_box;
 
-use ancf::counts::Counts;
 use ancf::error::Result;
+use ancf::integrators::counts::Counts;
 use ancf::integrators::{self, Integrator, State};
+use ancf::model::{Constraints, Method, Scene, Scissors};
 use ancf::nalgebra::DVector;
-use ancf::scene::{Constraints, Method, Scene, Scissors};
 use ancf::structure::Structure;
 
 /// Numbers of scissor-like elements; the bar compares the last with the first.
@@ -136,7 +136,7 @@ fn sample(scene: &Scene, repetitions: usize) -> Result<Sample> {
         let (u, v) = (structure.start().clone(), DVector::zeros(structure.size()));
         let mut state = State { step: 0, t: 0.0, u, v };
         let mut method: Box<dyn Integrator> =
-            integrators::integrator(scene, &ancf::plan::Plan::of(scene), &structure, &state, &mut counts)?;
+            integrators::integrator(scene, &ancf::model::plan::Plan::of(scene), &structure, &state, &mut counts)?;
         setup += seconds() - before;
 
         let mut before = seconds();

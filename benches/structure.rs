@@ -6,12 +6,12 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use ancf::counts::Counts;
 use ancf::error::Result;
+use ancf::integrators::counts::Counts;
 use ancf::integrators::{self, Integrator, State};
+use ancf::model::plan::Plan;
+use ancf::model::{Element, Method, Scene, Scissors, ThermalModel};
 use ancf::nalgebra::DVector;
-use ancf::plan::Plan;
-use ancf::scene::{Element, Method, Scene, Scissors, ThermalModel};
 use ancf::structure::{Matrix, Structure};
 use criterion::Criterion;
 

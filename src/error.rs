@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::scene::Method;
+use crate::model::Method;
 
 /// Result with this crate's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
@@ -228,101 +228,19 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
-    /// A file could not be written.
-    #[error("cannot write {path}: {source}")]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// The system's reason.
-        source: std::io::Error,
-    },
-    /// An embedded fixture is not what the program expects.
-    #[error("the embedded fixture {name} cannot be used: {reason}")]
-    Fixture {
-        /// Its file name.
-        name: &'static str,
-        /// What is wrong with it.
-        reason: String,
-    },
-    /// Fixtures that another program is to be compared with are not what this program expects.
-    #[error("the fixtures cannot be used: {file}: {reason}")]
-    Suite {
-        /// The file.
-        file: String,
-        /// What is wrong with it.
-        reason: String,
-    },
-    /// A program that is to be tested cannot be started.
-    #[error("cannot start the command `{command}`: {source}; allowed: a program and its arguments behind `--`")]
-    Command {
-        /// Its name.
-        command: String,
-        /// The system's reason.
-        source: std::io::Error,
-    },
-    /// A state that is neither a file nor stored.
-    #[error("cannot read {name}: there is no such file, and no stored state of that name{nearest}; stored are {known}")]
-    NoState {
-        /// What was asked for.
-        name: String,
-        /// The name that is most like it, in words.
-        nearest: String,
-        /// The stored names.
-        known: String,
-    },
-    /// A program that was tested is wrong somewhere.
-    #[error("the program does not conform: {summary}")]
-    NotConforming {
-        /// What it has, and what fails.
-        summary: String,
-    },
-    /// A picture could not be drawn.
-    #[error("cannot draw \"{title}\": {reason}")]
-    Picture {
-        /// The picture's title.
-        title: String,
-        /// The drawing library's reason.
-        reason: String,
-    },
-    /// A table that was read holds something that is not allowed there.
-    #[error("{file}:{line}: `{column}` is {value}; allowed: {allowed}")]
-    Table {
-        /// The file.
-        file: String,
-        /// Number of the line, from 1, the heading's line.
-        line: u64,
-        /// The column's name.
-        column: String,
-        /// The offending value as it was written.
-        value: String,
-        /// What would have been accepted.
-        allowed: String,
-    },
-    /// A result is further from its reference than its bound.
-    #[error("{count} comparison(s) with the reference failed; the first: {first}")]
-    Comparison {
-        /// How many failed.
-        count: usize,
-        /// The first, with its numbers.
-        first: String,
-    },
 }
 
 impl Error {
-    /// Exit code of the command line: 1 the run failed, 2 bad input.
-    pub fn exit_code(&self) -> u8 {
-        match self {
+    /// Whether the scene is to blame, and not the run.
+    pub fn is_bad_input(&self) -> bool {
+        matches!(
+            self,
             Error::Scene { .. }
-            | Error::StepTooLarge { .. }
-            | Error::Drifts { .. }
-            | Error::TooLarge { .. }
-            | Error::Table { .. }
-            | Error::Suite { .. }
-            | Error::Command { .. }
-            | Error::NoState { .. }
-            | Error::Read { .. } => 2,
-            _ => 1,
-        }
+                | Error::StepTooLarge { .. }
+                | Error::Drifts { .. }
+                | Error::TooLarge { .. }
+                | Error::Read { .. }
+        )
     }
 }
 

@@ -109,21 +109,17 @@
 /// The matrices and vectors of [`equations`] are its types.
 pub use nalgebra;
 
-pub mod conformance;
-pub mod counts;
+pub mod elements;
 pub mod equations;
 pub mod error;
-pub mod estimate;
 pub mod integrators;
-pub mod kernel;
 pub mod linear;
-pub mod newton;
-pub mod plan;
-pub mod report;
+pub mod model;
 pub mod run;
-pub mod scene;
 pub mod state;
-pub mod statics;
 pub mod structure;
-#[cfg(feature = "cli")]
-pub mod study;
+
+/// What the project's own studies, benches and the conformance kit need of the library's inside. It may change in any version.
+pub mod internals {
+    pub use crate::model::nearest;
+}

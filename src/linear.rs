@@ -2,20 +2,20 @@
 //! beside the coordinates.
 
 mod band;
+mod banded_ldlt;
 mod bordered;
-mod chain;
-mod chains;
+mod condensed;
+mod frontal;
 mod lanczos;
 mod layout;
-mod twin;
 
 pub use band::{BandLu, BandMatrix};
+pub use banded_ldlt::TwinBand;
 pub use bordered::{Bordered, BorderedLu, Filling};
-pub use chain::{Chain, Elements, MOST_BORDER_UNKNOWNS, NONE, Number};
-pub use chains::Chains;
+pub use condensed::Chains;
+pub use frontal::{Chain, Elements, MOST_BORDER_UNKNOWNS, NONE, Number};
 pub use lanczos::{Pencil, largest_eigenvalue};
 pub use layout::{BlockLayout, Layout};
-pub use twin::TwinBand;
 
 use nalgebra::DVector;
 

@@ -1,26 +1,28 @@
 //! One scene from start to end.
 
-mod doubts;
 mod energy;
-mod loads;
+pub mod estimate;
+mod load_scale;
+mod monitor;
+mod observer;
 mod recorder;
-mod short;
+mod unresolved_loads;
 mod warnings;
 
-use std::time::Instant;
+use std::io::{self, Write};
 
-use doubts::Watch;
-pub(crate) use loads::{mass, moves};
+pub(crate) use load_scale::{mass, moves};
+use monitor::Watch;
 use recorder::Recorder;
-pub(crate) use short::missed;
+pub(crate) use unresolved_loads::missed;
 use warnings::warnings;
 
-use crate::counts::Counts;
 use crate::error::Result;
-use crate::estimate::Accuracy;
+use crate::integrators::counts::Counts;
 use crate::integrators::{self, State};
-use crate::plan::Plan;
-use crate::scene::Scene;
+use crate::model::Scene;
+use crate::model::plan::Plan;
+use crate::run::estimate::Accuracy;
 use crate::structure::Structure;
 
 /// A table over time.
@@ -38,6 +40,23 @@ impl Trajectory {
         let place = self.columns.iter().position(|column| column == name)?;
         Some(self.rows.iter().map(|row| row[place]).collect())
     }
+
+    /// Writes the table as CSV: names of the columns, then a line for each row. Numbers have as many digits as it takes to read
+    /// back the same `f64`.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out, "{}", self.columns.join(","))?;
+        for row in &self.rows {
+            for (column, number) in row.iter().enumerate() {
+                let comma = if column == 0 { "" } else { "," };
+                write!(out, "{comma}{number:?}")?;
+            }
+            writeln!(out)?;
+        }
+        Ok(())
+    }
 }
 
 /// What a run gives.
@@ -47,13 +66,11 @@ pub struct Run {
     pub trajectory: Trajectory,
     /// The work that was done.
     pub counts: Counts,
-    /// Time that it took, s.
-    pub wall_seconds: f64,
     /// What a person should know before trusting the result.
     pub warnings: Vec<String>,
     /// Statics: in how many independent directions the equilibrium at the end is unstable; 0 in motion, and where that is not told.
     pub unstable_directions: usize,
-    /// Estimated errors; those of [`run_estimated`](crate::estimate::run_estimated) only.
+    /// Estimated errors; those of [`run_estimated`](crate::run::estimate::run_estimated) only.
     pub accuracy: Accuracy,
 }
 
@@ -92,7 +109,6 @@ pub(crate) fn run_seen(
     mut on_step: impl FnMut(usize),
     mut see: impl FnMut(usize, &Structure, &State),
 ) -> Result<Run> {
-    let clock = Instant::now();
     scene.validate("scene")?;
     let structure = Structure::planned(scene, plan)?;
     let mut counts = Counts::default();
@@ -135,6 +151,6 @@ pub(crate) fn run_seen(
     let mut warnings = warnings(scene);
     let unstable_directions = watch.end(&structure, &state, &mut warnings)?;
     warnings.extend(recorder.doubt());
-    let (trajectory, wall_seconds) = (recorder.trajectory(), clock.elapsed().as_secs_f64());
-    Ok(Run { trajectory, counts, wall_seconds, warnings, unstable_directions, accuracy: Accuracy::default() })
+    let trajectory = recorder.trajectory();
+    Ok(Run { trajectory, counts, warnings, unstable_directions, accuracy: Accuracy::default() })
 }

@@ -7,15 +7,14 @@
 use crate::equations::force::{Element, Matrix14};
 use crate::equations::shape::Vector14;
 use crate::equations::{axis, force, inertia, material, motion, shape, strain};
-pub use crate::scene::ThermalModel;
+pub use crate::model::ThermalModel;
 use nalgebra::{DMatrix, DVector, Dim, Matrix, RawStorage, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
 pub mod cable;
-mod load;
+mod check;
 
 pub use cable::{CableState, evaluate_cable};
-pub use load::load;
 
 /// An element state: geometry, motion, material, temperature and the points to look at. SI units.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

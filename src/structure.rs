@@ -1,7 +1,7 @@
 //! Rods, pins and supports → numbering, assembly, loads, constraint rows.
 //!
 //! The unknowns are the displacements u = q − q₀ of the nodal coordinates from the initial configuration. Two ways to keep
-//! rods together ([`Constraints`](crate::scene::Constraints)):
+//! rods together ([`Constraints`](crate::model::Constraints)):
 //!
 //! * **condensed**: rods that meet at a point share its position and keep their own slopes; what a support holds is no
 //!   unknown at all. Supports in an oblique direction turn the axes of their nodal vector.
@@ -14,20 +14,20 @@
 
 mod build;
 mod collapse;
-mod components;
 mod constraints;
-mod equal;
+mod element_dofs;
 mod frequency;
 mod load;
 mod mass;
 mod matrix;
-mod mesh;
 mod mobility;
+mod node_dofs;
 mod numbering;
-mod place;
 mod probes;
 mod rod;
+mod rod_elements;
 mod rounding;
+mod uniform_elements;
 mod unknowns;
 
 use std::collections::BTreeMap;
@@ -35,12 +35,12 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
-use self::components::Components;
+use self::node_dofs::Components;
 use self::rod::Rod;
-use crate::kernel::{Ends, ThermalStrain};
+use crate::elements::{Ends, ThermalStrain};
 use crate::linear::Layout;
-use crate::plan::Plan;
-use crate::scene::Force;
+use crate::model::Force;
+use crate::model::plan::Plan;
 
 pub use mass::MassFactors;
 pub use matrix::{Factors, Matrix};

@@ -10,9 +10,9 @@
 
 use std::cell::Cell;
 
-use ancf::counts::Counts;
+use ancf::integrators::counts::Counts;
+use ancf::model::{Constraints, Element, Method, Probe, Quantity, Scene};
 use ancf::run::run_with_progress;
-use ancf::scene::{Constraints, Element, Method, Probe, Quantity, Scene};
 
 #[global_allocator]
 static ALLOCATOR: dhat::Alloc = dhat::Alloc;

@@ -7,11 +7,11 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
+use ancf::elements::{Ancf, Beam, Cable, Law};
 use ancf::equations::{cable, shape, strain, volume};
 use ancf::error::Error;
-use ancf::kernel::{Ancf, Beam, Cable, Law};
+use ancf::model::{Element, Force, Method, Poisson, Scene};
 use ancf::run::run;
-use ancf::scene::{Element, Force, Method, Poisson, Scene};
 use proptest::prelude::*;
 use states::{cases, states};
 

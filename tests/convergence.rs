@@ -4,8 +4,8 @@
 
 mod common;
 
+use ancf::model::{Method, Scene};
 use ancf::run::run;
-use ancf::scene::{Method, Scene};
 use common::pendulum::Pendulum;
 
 fn tips(name: &str, elements: usize, method: Method, step: f64, end: f64) -> Vec<[f64; 2]> {

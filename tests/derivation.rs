@@ -91,7 +91,7 @@ fn the_documentation_names_sections_that_exist() {
     let anchors = anchors(&page);
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/equations");
     let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|file| file.unwrap().path()).collect();
-    files.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/kernel/ancf.rs"));
+    files.push(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/elements/ancf.rs"));
     for file in files {
         let named = sections_named(&read(&file));
         for anchor in &named {

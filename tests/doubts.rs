@@ -7,8 +7,8 @@
 mod common;
 
 use ancf::error::Error;
+use ancf::model::{Direction, Element, Force, Method, Motion, Scene, Start, Support, Temperature, ThermalModel};
 use ancf::run::run;
-use ancf::scene::{Direction, Element, Force, Method, Motion, Scene, Start, Support, Temperature, ThermalModel};
 use common::motion::{must_run, positions};
 
 /// The pendulum of E = 2·10²⁰ Pa, four elements, 2 s.

@@ -5,9 +5,9 @@
 
 mod common;
 
-use ancf::counts::Counts;
+use ancf::integrators::counts::Counts;
 use ancf::integrators::{acceleration, mass_factors};
-use ancf::scene::{Constraints, Method, Scene};
+use ancf::model::{Constraints, Method, Scene};
 use ancf::structure::Structure;
 use common::system::{Terms, systems};
 use nalgebra::{DMatrix, DVector, Vector2};

@@ -9,8 +9,8 @@
 mod common;
 
 use ancf::error::Error;
+use ancf::model::{Constraints, Element, Method, Quantity, Scene, Scissors, ThermalModel};
 use ancf::run::{Run, run};
-use ancf::scene::{Constraints, Element, Method, Quantity, Scene, Scissors, ThermalModel};
 use ancf::structure::Structure;
 use common::motion::{Placing, farthest, force_on, longest, must_run, positions, probe, reactions};
 use nalgebra::DVector;

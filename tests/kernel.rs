@@ -7,10 +7,10 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
+use ancf::elements::{Ancf, Beam, Ends, Law};
 use ancf::equations::shape::Vector14;
 use ancf::equations::{axis, force};
-use ancf::kernel::{Ancf, Beam, Ends, Law};
-use ancf::scene::Poisson;
+use ancf::model::Poisson;
 use ancf::state::ThermalModel;
 use common::scale::scale;
 use common::{Equations, TOLERANCE, within, worst_ratio};

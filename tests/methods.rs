@@ -4,8 +4,8 @@
 mod common;
 
 use ancf::error::Error;
+use ancf::model::{Element, Force, Method, Scene, Start, Temperature, ThermalModel};
 use ancf::run::{Run, run};
-use ancf::scene::{Element, Force, Method, Scene, Start, Temperature, ThermalModel};
 use common::motion::{Path, farthest, must_run, positions, velocities};
 use common::pendulum::Pendulum;
 

@@ -5,7 +5,7 @@
 
 mod common;
 
-use ancf::scene::{Constraints, Element, Method, Motion, Quantity, Scene, Start, Temperature, ThermalModel};
+use ancf::model::{Constraints, Element, Method, Motion, Quantity, Scene, Start, Temperature, ThermalModel};
 use common::motion::{must_run, positions, probe, velocities};
 
 fn free_rod(element: Element, elements: usize, motion: Motion) -> Scene {

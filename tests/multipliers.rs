@@ -9,11 +9,11 @@
 
 mod common;
 
-use ancf::counts::Counts;
+use ancf::integrators::counts::Counts;
 use ancf::integrators::{State, integrator};
 use ancf::linear::Bordered;
+use ancf::model::{Constraints, Direction, Method, Quantity, Scene, Scissors, Support, ThermalModel};
 use ancf::run::Run;
-use ancf::scene::{Constraints, Direction, Method, Quantity, Scene, Scissors, Support, ThermalModel};
 use ancf::structure::{Instant, Structure};
 use common::motion::{farthest, force_on, longest, must_run, positions, probe, reactions};
 use nalgebra::{DMatrix, DVector};
@@ -96,8 +96,8 @@ fn condensed_and_multipliers_are_the_same_motion_on_any_support() {
         (heat.model, heat.history) = (ThermalModel::OneD, vec![[0.0, 0.0], [0.1, -120.0]]);
         heat
     });
-    scene.forces.push(ancf::scene::Force { point: "a2".into(), force: [20.0, 5.0], history: None });
-    scene.forces.push(ancf::scene::Force {
+    scene.forces.push(ancf::model::Force { point: "a2".into(), force: [20.0, 5.0], history: None });
+    scene.forces.push(ancf::model::Force {
         point: "m2".into(),
         force: [-5.0, 9.0],
         history: Some(vec![[0.0, 0.0], [0.2, 1.0]]),
@@ -141,7 +141,7 @@ impl Moving {
         let Moving { scene, structure, state } = self;
         scene.time.step = step;
         let mut counts = Counts::default();
-        let mut method = integrator(scene, &ancf::plan::Plan::of(scene), structure, state, &mut counts).unwrap();
+        let mut method = integrator(scene, &ancf::model::plan::Plan::of(scene), structure, state, &mut counts).unwrap();
         let mut mass = ancf::integrators::mass_factors(structure, &mut counts).unwrap();
         let start = state.t;
         for n in 1..=count {

@@ -4,7 +4,7 @@ use std::panic::catch_unwind;
 use std::time::{Duration, Instant};
 
 use ancf::error::Error;
-use ancf::scene::{Scene, builtin_names, builtin_text};
+use ancf::model::{Scene, builtin_names, builtin_text};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 

@@ -10,8 +10,8 @@
 
 mod common;
 
+use ancf::model::{Method, Scene};
 use ancf::run::{Run, run};
-use ancf::scene::{Method, Scene};
 use common::pendulum::{OracleRun, Pendulum};
 
 fn scene(name: &str, elements: usize, method: Method, step: f64, end: f64) -> Scene {

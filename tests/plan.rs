@@ -4,9 +4,9 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::plan::Plan;
+use ancf::model::plan::Plan;
+use ancf::model::{Element, Method, Quantity, Scene, Start, Temperature, ThermalModel, builtin_names};
 use ancf::run::{Run, run, run_planned};
-use ancf::scene::{Element, Method, Quantity, Scene, Start, Temperature, ThermalModel, builtin_names};
 use ancf::structure::{Factors, Matrix, Structure};
 use common::motion::probe;
 use nalgebra::DVector;
@@ -141,7 +141,7 @@ fn what_a_change_asks_for() {
         let asks = |scene: &mut Scene| scene.probes.push(probe("o", &[quantity]));
         assert_eq!(changed(&asks), Plan { acceleration: true, ..none }, "{quantity}");
     }
-    let multipliers = |scene: &mut Scene| scene.constraints = ancf::scene::Constraints::Multipliers;
+    let multipliers = |scene: &mut Scene| scene.constraints = ancf::model::Constraints::Multipliers;
     assert_eq!(changed(&multipliers), Plan { multipliers: true, ..none });
     for method in [Method::Explicit, Method::Gauss, Method::Nystrom, Method::GaussAdaptive, Method::NystromAdaptive] {
         assert_eq!(changed(&|scene| scene.time.method = method), none, "{method}");
@@ -174,7 +174,7 @@ fn elastic_scenes() -> Vec<Scene> {
         }
     }
     let mut axis = Scene::builtin("pendulum-flexible").unwrap();
-    (axis.rods[0].poisson, axis.rods[0].elements) = (ancf::scene::Poisson::Axis, 2);
+    (axis.rods[0].poisson, axis.rods[0].elements) = (ancf::model::Poisson::Axis, 2);
     scenes.push(axis);
     scenes
 }

@@ -9,10 +9,10 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
+use ancf::elements::{Beam, Ends, PrintedShear};
 use ancf::equations::shape::Vector14;
-use ancf::kernel::{Beam, Ends, PrintedShear};
+use ancf::model::Scene;
 use ancf::run::{Run, run};
-use ancf::scene::Scene;
 use ancf::state::ThermalModel;
 use common::scale::scale;
 use common::{Equations, TOLERANCE, within, worst_ratio};

@@ -9,10 +9,9 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use ancf::error::Error;
-use ancf::estimate::run_estimated;
-use ancf::report::write_csv;
+use ancf::model::{Element, Method, Scene};
+use ancf::run::estimate::run_estimated;
 use ancf::run::{Run, run};
-use ancf::scene::{Element, Method, Scene};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -323,7 +322,7 @@ fn random(number: usize, seed: u8) -> Vec<(Scene, Run)> {
                 let finite = run.trajectory.rows.iter().flatten().all(|value| value.is_finite());
                 assert!(finite, "scene {n} has a number that is none:\n{text}");
                 let mut csv = Vec::new();
-                write_csv(&mut csv, &run.trajectory).unwrap();
+                run.trajectory.write_csv(&mut csv).unwrap();
                 let csv = String::from_utf8(csv).unwrap();
                 assert!(!csv.contains("NaN") && !csv.contains("inf"), "scene {n}:\n{text}");
                 ran.push((scene, *run));

@@ -2,10 +2,10 @@
 
 mod common;
 
-use ancf::counts::Counts;
-use ancf::plan::Plan;
+use ancf::integrators::counts::Counts;
+use ancf::model::plan::Plan;
+use ancf::model::{Method, Scene};
 use ancf::run::{Run, run_planned};
-use ancf::scene::{Method, Scene};
 use common::motion::{farthest, must_run, positions};
 
 /// With a new matrix for every iteration.

@@ -1,7 +1,7 @@
 //! The scene file: defaults, built-in scenes, round trip, and what is derived from its numbers.
 
 use ancf::error::Error;
-use ancf::scene::{
+use ancf::model::{
     Constraints, Direction, Element, Force, Method, Output, Poisson, Probe, Quantity, Rod, Scene, Scissors, Start,
     Support, Temperature, ThermalModel, builtin_names, builtin_text,
 };

@@ -16,8 +16,8 @@
 
 mod common;
 
+use ancf::model::{Quantity, Scene, Scissors, ThermalModel};
 use ancf::run::Run;
-use ancf::scene::{Quantity, Scene, Scissors, ThermalModel};
 use common::motion::{Path, Placing, farthest, force_on, longest, must_run, positions, probe, reactions, velocities};
 use common::system::systems;
 use serde::Deserialize;
@@ -242,7 +242,7 @@ fn place_and_direction_of_scissors_do_not_matter() {
 #[test]
 fn numbering_does_not_matter() {
     let mut scene = observed(3);
-    scene.forces.push(ancf::scene::Force { point: "a3".into(), force: [3.0, 4.0], history: None });
+    scene.forces.push(ancf::model::Force { point: "a3".into(), force: [3.0, 4.0], history: None });
     let mut reversed = scene.clone();
     reversed.rods.reverse();
     reversed.supports.reverse();
@@ -308,9 +308,9 @@ fn what_every_rod_is_given_is_what_all_are_given() {
     assert_eq!(rows(&each), global);
 
     for change in [
-        |rod: &mut ancf::scene::Rod| rod.temperature.as_mut().unwrap().history[1][1] += 1.0,
-        |rod: &mut ancf::scene::Rod| rod.material.as_mut().unwrap().rho *= 1.001,
-        |rod: &mut ancf::scene::Rod| rod.section.as_mut().unwrap().height *= 1.001,
+        |rod: &mut ancf::model::Rod| rod.temperature.as_mut().unwrap().history[1][1] += 1.0,
+        |rod: &mut ancf::model::Rod| rod.material.as_mut().unwrap().rho *= 1.001,
+        |rod: &mut ancf::model::Rod| rod.section.as_mut().unwrap().height *= 1.001,
     ] {
         let mut one = each.clone();
         change(&mut one.rods[4]);

@@ -4,8 +4,8 @@
 
 mod common;
 
+use ancf::model::{Constraints, Method, Quantity, Scene, Scissors};
 use ancf::run::Run;
-use ancf::scene::{Constraints, Method, Quantity, Scene, Scissors};
 use common::motion::{Path, farthest, force_on, longest, must_run, positions, probe, reactions};
 
 fn scissors(elements: usize, step: f64) -> Scene {

@@ -9,8 +9,8 @@
 mod common;
 
 use ancf::error::Error;
+use ancf::model::{Direction, Force, Method, Quantity, Rod, Scene, Scissors, Support, Temperature, ThermalModel};
 use ancf::run::{Run, run};
-use ancf::scene::{Direction, Force, Method, Quantity, Rod, Scene, Scissors, Support, Temperature, ThermalModel};
 use ancf::structure::Structure;
 use common::motion::{Placing, farthest, force_on, longest, must_run, positions, probe, reactions};
 

@@ -7,8 +7,8 @@
 
 mod common;
 
+use ancf::model::{Constraints, Method, Scene};
 use ancf::run::Run;
-use ancf::scene::{Constraints, Method, Scene};
 use common::motion::{farthest, longest, must_run, positions, reactions, velocities};
 use common::system::systems;
 use serde::Deserialize;

@@ -6,7 +6,7 @@
 //! choices M1–M8 are in `#7-choices-to-know`.
 //!
 //! Pure functions of numbers and arrays in SI units, global axes, for reading and checking;
-//! [`kernel`](crate::kernel) is the same element arranged for speed.
+//! [`kernel`](crate::elements) is the same element arranged for speed.
 //!
 //! **Two forms.** Where the paper is wrong, the printed form (`…_printed`) stands beside the consistent one:
 //! E1 [`shape::coefficients_printed`], E2 [`force::K_3_printed`], E3 [`force::U_printed`] and [`force::K_printed`], E4 [`motion::constraint_force_printed`].

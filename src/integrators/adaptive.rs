@@ -6,8 +6,8 @@
 //! Between two times that are asked for all steps are equal as long as the estimate allows, so that a matrix serves for many.
 
 use super::{Integrator, State};
-use crate::counts::Counts;
 use crate::error::{Error, Result};
+use crate::integrators::counts::Counts;
 use crate::structure::Structure;
 
 /// The shortest step, of the longest; those that a corner or a row ends may be shorter.

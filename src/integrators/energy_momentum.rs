@@ -8,11 +8,11 @@
 use nalgebra::DVector;
 
 use super::{Integrator, State};
-use crate::counts::Counts;
+use crate::elements::ThermalStrain;
 use crate::error::Result;
-use crate::kernel::ThermalStrain;
+use crate::integrators::counts::Counts;
+use crate::integrators::newton::{Equations, Increment, Newton, Residual};
 use crate::linear::SingularAt;
-use crate::newton::{Equations, Increment, Newton, Residual};
 use crate::structure::{Matrix, StepEnds, Structure};
 
 /// The method with its step and Newton's tolerance.

@@ -4,9 +4,9 @@
 //! Δt = 2/ω for the largest angular frequency ω.
 
 use super::{Integrator, Motion, State, check_step};
-use crate::counts::Counts;
 use crate::error::{Error, Result};
-use crate::scene::Method;
+use crate::integrators::counts::Counts;
+use crate::model::Method;
 use crate::structure::Structure;
 
 /// The method with its step and the acceleration that it carries along.

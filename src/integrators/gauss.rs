@@ -16,11 +16,11 @@ use nalgebra::{Complex, DVector};
 
 use super::work::{POINTS as C, Work};
 use super::{Embedded, Integrator, State};
-use crate::counts::Counts;
+use crate::elements::ThermalStrain;
 use crate::error::Result;
-use crate::kernel::ThermalStrain;
+use crate::integrators::counts::Counts;
+use crate::integrators::newton::{Equations, Newton, Residual};
 use crate::linear::{Chains, SingularAt};
-use crate::newton::{Equations, Newton, Residual};
 use crate::structure::Structure;
 
 const ROOT_3: f64 = 1.732_050_807_568_877_2;

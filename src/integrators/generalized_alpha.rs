@@ -18,11 +18,11 @@
 use nalgebra::DVector;
 
 use super::{Integrator, State, acceleration, mass_factors};
-use crate::counts::Counts;
+use crate::elements::ThermalStrain;
 use crate::error::Result;
-use crate::kernel::ThermalStrain;
+use crate::integrators::counts::Counts;
+use crate::integrators::newton::{Equations, Increment, Newton, Residual};
 use crate::linear::SingularAt;
-use crate::newton::{Equations, Increment, Newton, Residual};
 use crate::structure::{Matrix, Structure};
 
 /// The method with its parameters and the acceleration that it carries along.

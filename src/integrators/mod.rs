@@ -1,23 +1,26 @@
 //! Time integration of M q̈ + Q_e(q, ΔT) = Q_w, one method a file.
 
 mod adaptive;
+pub mod counts;
 mod energy_momentum;
 mod explicit;
 mod gauss;
 mod generalized_alpha;
+pub mod newton;
 mod nystrom;
+pub mod statics;
 mod work;
 
 use nalgebra::DVector;
 
-use crate::counts::Counts;
+use crate::elements::ThermalStrain;
 use crate::error::{Error, Result};
-use crate::kernel::ThermalStrain;
+use crate::integrators::counts::Counts;
+use crate::integrators::newton::Newton;
+use crate::integrators::statics::Statics;
 use crate::linear::SingularAt;
-use crate::newton::Newton;
-use crate::plan::Plan;
-use crate::scene::{Method, Scene};
-use crate::statics::Statics;
+use crate::model::plan::Plan;
+use crate::model::{Method, Scene};
 use crate::structure::{MassFactors, Structure};
 
 pub(crate) use adaptive::same_time;

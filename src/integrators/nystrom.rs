@@ -9,9 +9,9 @@ use nalgebra::DVector;
 
 use super::work::{POINTS, Work};
 use super::{Embedded, Integrator, Motion, State, check_step};
-use crate::counts::Counts;
 use crate::error::{Error, Result};
-use crate::scene::Method;
+use crate::integrators::counts::Counts;
+use crate::model::Method;
 use crate::structure::Structure;
 
 /// Largest Δt ω at which no vibration grows.

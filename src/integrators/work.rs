@@ -5,7 +5,7 @@
 
 use nalgebra::DVector;
 
-use crate::kernel::ThermalStrain;
+use crate::elements::ThermalStrain;
 use crate::structure::{StepEnds, Structure};
 
 const ROOT_3: f64 = 1.732_050_807_568_877_2;

@@ -2,10 +2,10 @@
 
 use nalgebra::DVector;
 
+use crate::elements::ThermalStrain;
 use crate::error::{Error, Result};
 use crate::integrators::State;
-use crate::kernel::ThermalStrain;
-use crate::scene::{Method, Scene};
+use crate::model::{Method, Scene};
 use crate::structure::{StepEnds, Structure};
 
 /// Imbalance that is warned of, of what the energies change by. In every built-in scene by every method it is below a third of this, but

@@ -4,11 +4,11 @@ use nalgebra::DVector;
 
 use super::Trajectory;
 use super::energy::Energy;
-use crate::counts::Counts;
 use crate::error::{Error, Result};
+use crate::integrators::counts::Counts;
 use crate::integrators::{Motion, State};
-use crate::plan::Plan;
-use crate::scene::{Probe, Quantity, Scene};
+use crate::model::plan::Plan;
+use crate::model::{Probe, Quantity, Scene};
 use crate::structure::{Instant as Now, Structure};
 
 /// Writes rows.

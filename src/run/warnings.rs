@@ -1,7 +1,7 @@
 //! Doubts that a scene itself raises.
 
-use super::short::missed;
-use crate::scene::{Element, Form, Method, Poisson, Rod, Scene, Start};
+use super::unresolved_loads::missed;
+use crate::model::{Element, Form, Method, Poisson, Rod, Scene, Start};
 use crate::structure::Structure;
 
 /// Steps per crossing of an element by the axial wave below which a heat shock is badly resolved, by a method's order. Measured on the

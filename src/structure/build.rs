@@ -6,14 +6,14 @@ use std::sync::Arc;
 use nalgebra::{DVector, Vector2};
 
 use super::constraints::rows;
-use super::equal::stretched;
 use super::rod::Rod;
+use super::uniform_elements::stretched;
 use super::unknowns::{Numbering, condensed, with_multipliers};
 use super::{Kind, Node, Point, Structure, mobility};
+use crate::elements::Meaning;
 use crate::error::{Error, Result};
-use crate::kernel::Meaning;
-use crate::plan::Plan;
-use crate::scene::{Constraints, Method, Motion, Scene, Start, times_of};
+use crate::model::plan::Plan;
+use crate::model::{Constraints, Method, Motion, Scene, Start, times_of};
 
 /// More memory than this for one matrix, in bytes, is refused: a structure that needs it is not a few rods.
 const MOST_BYTES: usize = 2 << 30;

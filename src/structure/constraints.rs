@@ -10,7 +10,7 @@ use nalgebra::{DVector, Vector2};
 
 use super::{ConstraintRow, Node, Point, Structure};
 use crate::linear::Bordered;
-use crate::scene::{Element, Scene, Support};
+use crate::model::{Element, Scene, Support};
 
 /// One row: Σ weight · nodal vector = 0.
 pub(super) struct Row {

@@ -2,13 +2,13 @@
 
 use nalgebra::DVector;
 
-use super::mesh::ElementMatrix;
 use super::rod::Rod;
+use super::rod_elements::ElementMatrix;
 use super::{MassFactors, Structure};
+use crate::elements::{Meaning, ThermalStrain};
 use crate::equations::material;
-use crate::kernel::{Meaning, ThermalStrain};
 use crate::linear::{Pencil, SingularAt, largest_eigenvalue};
-use crate::scene::{self, Element, Material, Scene};
+use crate::model::{self, Element, Material, Scene};
 
 /// What a rod is like while it vibrates: its stretches less 1 (along, across) and its thermal strain.
 type RodState = ([f64; 2], ThermalStrain);
@@ -100,12 +100,12 @@ impl Structure {
 
     /// The shortest time in which an axial wave crosses an element, s.
     pub fn wave_crossing_time(scene: &Scene) -> f64 {
-        let crossing = |rod: &scene::Rod| Structure::wave_time(scene, rod) / rod.elements as f64;
+        let crossing = |rod: &model::Rod| Structure::wave_time(scene, rod) / rod.elements as f64;
         scene.rods.iter().map(crossing).fold(f64::INFINITY, f64::min)
     }
 
     /// The time in which an axial wave, √((λ + 2μ)/ρ) fast or √(E/ρ), runs along a rod, s.
-    pub fn wave_time(scene: &Scene, rod: &scene::Rod) -> f64 {
+    pub fn wave_time(scene: &Scene, rod: &model::Rod) -> f64 {
         let Material { youngs_modulus, nu, rho, .. } = *scene.material(rod);
         let stiff = match rod.element {
             Element::Ancf => material::lambda(youngs_modulus, nu) + 2.0 * material::mu(youngs_modulus, nu),
@@ -155,7 +155,7 @@ impl Pencil for Vibration<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Method, Start, Temperature, ThermalModel};
+    use crate::model::{Method, Start, Temperature, ThermalModel};
 
     fn heat(history: Vec<[f64; 2]>) -> Option<Temperature> {
         Some(Temperature { model: ThermalModel::TwoD, start: Start::Sudden, history })

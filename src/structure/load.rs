@@ -4,7 +4,7 @@ use nalgebra::{DVector, Vector2};
 
 use super::Structure;
 use super::rod::Rod;
-use crate::kernel::ThermalStrain;
+use crate::elements::ThermalStrain;
 
 impl Structure {
     /// Generalized force of gravity, constant.

@@ -13,10 +13,10 @@ use std::collections::BTreeMap;
 use nalgebra::{DVector, Vector2};
 
 use super::Structure;
-use super::components::Components;
-use super::mesh::ElementMatrix;
+use super::node_dofs::Components;
 use super::numbering::order;
 use super::rod::Rod;
+use super::rod_elements::ElementMatrix;
 use crate::linear::{BandLu, BandMatrix, BorderedLu, SingularAt, TwinBand, flush};
 
 /// Most vectors of the border that a rod touches: positions and slopes of two ends and of a pivot.

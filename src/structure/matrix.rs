@@ -2,9 +2,9 @@
 
 use nalgebra::{Complex, DVector};
 
-use super::mesh::ElementMatrix;
+use super::rod_elements::ElementMatrix;
 use super::{StepEnds, Structure, of_rod};
-use crate::kernel::ThermalStrain;
+use crate::elements::ThermalStrain;
 use crate::linear::{Bordered, BorderedLu, Chain, Chains, Filling, Number, SingularAt};
 
 /// A matrix that is factorised.
@@ -22,7 +22,7 @@ pub enum Matrix<'a> {
         mass: f64,
     },
     /// The tangent of Newton's iteration with independent stresses: those that it expected when it went from `before` to `u`
-    /// ([`Beam::mixed_tangent`](crate::kernel::Beam::mixed_tangent)).
+    /// ([`Beam::mixed_tangent`](crate::elements::Beam::mixed_tangent)).
     Mixed {
         /// Displacement before the last iteration.
         before: &'a DVector<f64>,

@@ -13,9 +13,9 @@ use super::Point;
 use super::constraints::{Row, pin, supports};
 use super::numbering::outwards;
 use super::rod::Rod;
+use crate::elements::Meaning;
 use crate::error::{Error, Result};
-use crate::kernel::Meaning;
-use crate::scene::Scene;
+use crate::model::Scene;
 
 /// |C x| / |x| below which x is a motion without strain: above what rounding leaves of zero in thousands of rods, and below
 /// what such a structure stretches where it is held.

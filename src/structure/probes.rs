@@ -2,8 +2,8 @@
 
 use nalgebra::{DVector, Vector2};
 
-use super::components::Components;
-use super::mesh::Loaded;
+use super::node_dofs::Components;
+use super::rod_elements::Loaded;
 use super::{Node, Structure};
 
 /// What acts at an instant.

@@ -5,15 +5,15 @@ use std::fmt::Debug;
 use nalgebra::Vector2;
 
 use super::Kind;
-use super::components::Components;
-use super::equal::Equal;
-use super::mesh::Mesh;
+use super::node_dofs::Components;
+use super::rod_elements::Mesh;
+use super::uniform_elements::Equal;
+use crate::elements::{Ancf, Beam, Cable, Law, Meaning, NodalVector, PrintedShear, ThermalStrain};
 use crate::equations::force::Element;
 use crate::equations::shape::Vector14;
 use crate::equations::{cable, inertia, material};
-use crate::kernel::{Ancf, Beam, Cable, Law, Meaning, NodalVector, PrintedShear, ThermalStrain};
-use crate::plan::Plan;
-use crate::scene::{self, Form, Scene, Temperature, ThermalModel};
+use crate::model::plan::Plan;
+use crate::model::{self, Form, Scene, Temperature, ThermalModel};
 
 /// A rod with what all of its elements share.
 #[derive(Debug)]
@@ -38,12 +38,12 @@ pub(super) struct Heat {
 
 impl Rod {
     /// A rod by itself; its unknowns are not numbered yet.
-    pub fn new(scene: &Scene, rod: &scene::Rod, plan: &Plan) -> Rod {
+    pub fn new(scene: &Scene, rod: &model::Rod, plan: &Plan) -> Rod {
         let from = Vector2::from(scene.points[&rod.from]);
         let along = (Vector2::from(scene.points[&rod.to]) - from) / rod.elements as f64;
         let mesh = match rod.element {
-            scene::Element::Ancf => ancf(scene, rod, along, plan),
-            scene::Element::EulerBernoulli => euler_bernoulli(scene, rod, along),
+            model::Element::Ancf => ancf(scene, rod, along, plan),
+            model::Element::EulerBernoulli => euler_bernoulli(scene, rod, along),
         };
         Rod {
             name: rod.name.clone(),
@@ -102,7 +102,7 @@ impl Rod {
 }
 
 /// Elements of the paper.
-fn ancf(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn Mesh> {
+fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn Mesh> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let (lambda, mu) = lame(material);
     let (l, h, w, theta) = (along.norm(), section.height, section.width, along.y.atan2(along.x));
@@ -120,7 +120,7 @@ fn ancf(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>, plan: &Plan) -> Bo
 fn equal<B: Beam<14> + Debug + Send + Sync + 'static>(
     beam: B,
     scene: &Scene,
-    rod: &scene::Rod,
+    rod: &model::Rod,
     along: Vector2<f64>,
 ) -> Box<dyn Mesh> {
     let (material, section) = (scene.material(rod), scene.section(rod));
@@ -138,13 +138,13 @@ fn equal<B: Beam<14> + Debug + Send + Sync + 'static>(
 }
 
 /// λ and μ, Pa.
-fn lame(material: &scene::Material) -> (f64, f64) {
-    let scene::Material { youngs_modulus, nu, .. } = *material;
+fn lame(material: &model::Material) -> (f64, f64) {
+    let model::Material { youngs_modulus, nu, .. } = *material;
     (material::lambda(youngs_modulus, nu), material::mu(youngs_modulus, nu))
 }
 
 /// Elements of the paper's competitor.
-fn euler_bernoulli(scene: &Scene, rod: &scene::Rod, along: Vector2<f64>) -> Box<dyn Mesh> {
+fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>) -> Box<dyn Mesh> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let area = section.height * section.width;
     let tension = material.youngs_modulus * area;

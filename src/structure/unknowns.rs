@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix2, Rotation2, Vector2};
 
-use super::components::Components;
 use super::constraints::{Row, clamped, held_directions};
+use super::node_dofs::Components;
 use super::numbering::order;
 use super::rod::Rod;
 use super::{ConstraintRow, Kind, Point};
 use crate::linear::{BlockLayout, Layout};
-use crate::scene::Scene;
+use crate::model::Scene;
 
 /// The unknowns' order and what they measure.
 pub(super) struct Numbering {

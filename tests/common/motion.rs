@@ -1,7 +1,7 @@
 //! Runs compared with one another: vectors over time, never sums.
 
+use ancf::model::{Probe, Quantity, Scene, Support};
 use ancf::run::{Run, run};
-use ancf::scene::{Probe, Quantity, Scene, Support};
 use nalgebra::{Rotation2, Vector2};
 
 /// Vectors over time.
@@ -89,7 +89,7 @@ impl Placing {
     /// A support that holds one direction leaves the one across it free, which is a slide in any direction.
     fn support(&self, support: &mut Support) {
         if let [direction] = *support.fix {
-            let free = if direction == ancf::scene::Direction::X { [0.0, 1.0] } else { [1.0, 0.0] };
+            let free = if direction == ancf::model::Direction::X { [0.0, 1.0] } else { [1.0, 0.0] };
             (support.fix, support.slide) = (Vec::new(), Some(free));
         }
         support.slide = support.slide.map(|slide| self.vector(slide));

@@ -1,6 +1,6 @@
 //! `fixtures/pendulum.json`.
 
-use ancf::scene::Element;
+use ancf::model::Element;
 use serde::Deserialize;
 
 #[derive(Deserialize)]

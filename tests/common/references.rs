@@ -1,9 +1,9 @@
 //! `fixtures/references.json`: reference solutions of statics and vibration, and the rods that are held against them.
 
-use ancf::counts::Counts;
+use ancf::elements::{Ancf, Beam, Cable, Meaning, NodalVector};
+use ancf::integrators::counts::Counts;
 use ancf::integrators::{self, State};
-use ancf::kernel::{Ancf, Beam, Cable, Meaning, NodalVector};
-use ancf::scene::{Element, Poisson, Scene};
+use ancf::model::{Element, Poisson, Scene};
 use ancf::structure::Structure;
 use nalgebra::{DVector, Vector2};
 use serde_json::Value;
@@ -198,7 +198,7 @@ pub fn solve(scene: &Scene) -> Shape {
     let mut counts = Counts::default();
     let mut state = State { step: 0, t: 0.0, u: structure.start().clone(), v: DVector::zeros(structure.size()) };
     let mut method =
-        integrators::integrator(scene, &ancf::plan::Plan::of(scene), &structure, &state, &mut counts).unwrap();
+        integrators::integrator(scene, &ancf::model::plan::Plan::of(scene), &structure, &state, &mut counts).unwrap();
     for step in 1..=scene.steps() {
         method.step(&structure, &mut state, scene.time_after(step), &mut counts).unwrap();
     }

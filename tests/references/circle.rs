@@ -1,7 +1,7 @@
 //! Cantilevers bent to a circle by a moment.
 
-use ancf::kernel::Meaning;
-use ancf::scene::Scene;
+use ancf::elements::Meaning;
+use ancf::model::Scene;
 use ancf::structure::Structure;
 use nalgebra::{DVector, Matrix2, Vector2};
 

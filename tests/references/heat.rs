@@ -1,8 +1,8 @@
 //! A straight heated rod: free, and between walls.
 
-use ancf::kernel::Meaning;
+use ancf::elements::Meaning;
+use ancf::model::{Quantity, Scene, Support, Temperature, ThermalModel};
 use ancf::run::run;
-use ancf::scene::{Quantity, Scene, Support, Temperature, ThermalModel};
 
 use crate::common::motion::{Placing, probe, reactions};
 use crate::common::references::{Kind, Reference, References, Shape, rod, solve};

@@ -1,6 +1,6 @@
 //! Cantilevers under dead loads that bend them far.
 
-use ancf::scene::Scene;
+use ancf::model::Scene;
 use nalgebra::Vector2;
 
 use crate::common::references::{EI, Kind, References, assert_stored, length, off, push, rod, slender, solve};

@@ -1,7 +1,7 @@
 //! Angular frequencies of bending, straight and at rest.
 
-use ancf::kernel::Meaning;
-use ancf::scene::{Direction, Method, Scene, Support};
+use ancf::elements::Meaning;
+use ancf::model::{Direction, Method, Scene, Support};
 use ancf::structure::Structure;
 use nalgebra::DVector;
 

@@ -1,0 +1,37 @@
+//! What can go wrong in a command.
+
+/// Result with this crate's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Everything that can go wrong in a command.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A scene or its run.
+    #[error(transparent)]
+    Run(#[from] ancf::error::Error),
+    /// A study, or an output file.
+    #[error(transparent)]
+    Study(#[from] ancf_study::error::Error),
+    /// A program under test could not be judged.
+    #[error(transparent)]
+    Conform(#[from] ancf_conform::error::Error),
+    /// A program under test is wrong somewhere.
+    #[error("the program does not conform: {summary}")]
+    NotConforming {
+        /// What it has, and what fails.
+        summary: String,
+    },
+}
+
+impl Error {
+    /// Exit code: 1 the run or a comparison failed, 2 bad input.
+    pub fn exit_code(&self) -> u8 {
+        let is_bad_input = match self {
+            Error::Run(error) => error.is_bad_input(),
+            Error::Study(error) => error.is_bad_input(),
+            Error::Conform(_) => true,
+            Error::NotConforming { .. } => false,
+        };
+        if is_bad_input { 2 } else { 1 }
+    }
+}

@@ -1,0 +1,314 @@
+//! Command line: parsing and printing only.
+
+mod error;
+mod report;
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use ancf::model::{Scene, Scissors, ThermalModel, builtin_names, builtin_text};
+use ancf::run::estimate::run_estimated;
+use ancf::run::run_with_progress;
+use ancf_conform::equations_text::equations_text;
+use ancf_conform::examiner::{Options, examine};
+use ancf_conform::state_file;
+use ancf_conform::suite::Suite;
+use ancf_study::files::Files;
+use ancf_study::{error_time, stability};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Parser, Subcommand};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::error::{Error, Result};
+
+/// Planar thermo-elastic ANCF beam (Peng et al. 2018).
+///
+/// Without a command: the paper's pendulum and deployable structure in all their models, compared with the embedded oracles;
+/// tables, pictures and what the paper says, measured.
+#[derive(Parser)]
+#[command(version, args_conflicts_with_subcommands = true)]
+struct Cli {
+    #[command(flatten)]
+    out: Out,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(clap::Args)]
+struct Out {
+    /// Folder for the output files; created if it does not exist.
+    #[arg(long = "out", value_name = "DIR", default_value = "out")]
+    folder: PathBuf,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run one scene; writes trajectory.csv and summary.json.
+    Run {
+        /// Name of a built-in scene, or path of a scene file.
+        scene: String,
+        /// Estimate the errors of positions in time and space by finer runs: some five times the work. Velocities, reactions and energies are
+        /// not estimated.
+        #[arg(long)]
+        estimate: bool,
+        #[command(flatten)]
+        out: Out,
+        // Last, as the heading of its options holds for what follows.
+        #[command(flatten)]
+        scissors: ScissorsOptions,
+    },
+    /// Error against run time: every method, mesh and step, beside converged references; writes error-time.csv, .json, .svg
+    /// and .html.
+    ErrorTime {
+        /// Scenes of the study; all of them if none is named.
+        #[arg(value_name = "SCENE")]
+        scenes: Vec<String>,
+        #[command(flatten)]
+        out: Out,
+        /// Runs of another program, as `python -m oracle.peers` writes them [default: peers.csv in the folder of --out, if it
+        /// is there].
+        #[arg(long, value_name = "FILE")]
+        peers: Option<PathBuf>,
+        /// Write the converged references of the scenes instead, into DIR or fixtures/converged.
+        #[arg(long, value_name = "DIR", num_args = 0..=1, require_equals = true, default_missing_value = "fixtures/converged")]
+        references: Option<PathBuf>,
+        /// A coarse grid: of the flexible pendulum, if no scene is named.
+        #[arg(long)]
+        quick: bool,
+    },
+    /// Stiff and extreme cases in one table, each row right, refused or WRONG; writes stability.csv, .json, .svg and .html.
+    Stability {
+        /// Cases of the table; all of them if none is named.
+        #[arg(value_name = "CASE")]
+        cases: Vec<String>,
+        #[command(flatten)]
+        out: Out,
+    },
+    /// Say what is computed for a scene, what is left out, and why.
+    Plan {
+        /// Name of a built-in scene, or path of a scene file.
+        scene: String,
+        #[command(flatten)]
+        scissors: ScissorsOptions,
+    },
+    /// Print the value of every equation for one state.
+    Equations {
+        /// A file with the state of an element, in the shape of those of fixtures/equations.json or fixtures/cable.json; or the name of
+        /// a stored one, also of a case of fixtures/structure.json (cable- stands before the names of fixtures/cable.json).
+        state: String,
+    },
+    /// Test another implementation: which equation is wrong, and what kind of mistake fits; writes conformance.json and
+    /// conformance.md.
+    Conform {
+        /// Folder with the reference values; those that this program was built with, if it is left out.
+        #[arg(long, value_name = "DIR")]
+        fixtures: Option<PathBuf>,
+        /// Time that one answer may take, s.
+        #[arg(long, value_name = "S", default_value = "10", value_parser = seconds)]
+        time_limit: Duration,
+        /// Never hand over intermediate values, also to a program that takes them.
+        #[arg(long)]
+        no_given: bool,
+        #[command(flatten)]
+        out: Out,
+        /// The program and its arguments; it answers lines of JSON with lines of JSON (fixtures/README.md).
+        #[arg(last = true, required = true, value_name = "COMMAND")]
+        command: Vec<String>,
+    },
+    /// List the built-in scenes.
+    Scenes,
+    /// Print a built-in scene as JSON, a file to start from.
+    Scene {
+        /// Name of the scene.
+        name: String,
+        #[command(flatten)]
+        scissors: ScissorsOptions,
+    },
+}
+
+/// What can be changed in the scenes `scissors-<n>`.
+#[derive(clap::Args)]
+#[command(next_help_heading = "Scenes scissors-<n>")]
+struct ScissorsOptions {
+    /// Angle between the rods and the x axis at the start, degrees, over 0 and under 90 [default: 80].
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    angle: Option<f64>,
+    /// Force at a1, N, downwards [default: 50].
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    force: Option<f64>,
+    /// Which strains the changing temperature causes [default: 2d if the name ends in -thermal, else none].
+    #[arg(long, value_name = "MODEL", value_parser = model())]
+    temperature: Option<ThermalModel>,
+}
+
+/// Reads the word for a thermal model.
+fn model() -> impl TypedValueParser<Value = ThermalModel> {
+    let known = PossibleValuesParser::new(ThermalModel::WORDS);
+    known.try_map(|word| ThermalModel::from_word(&word).ok_or("not a thermal model"))
+}
+
+impl ScissorsOptions {
+    /// The structure of a scene's name with these changes; `None` if there are none.
+    fn change(&self, name: &str) -> Result<Option<Scissors>> {
+        let given = [
+            self.angle.map(|angle| ("--angle", angle.to_string())),
+            self.force.map(|force| ("--force", force.to_string())),
+            self.temperature.map(|model| ("--temperature", model.to_string())),
+        ];
+        let Some((option, value)) = given.into_iter().flatten().next() else { return Ok(None) };
+        let Some(scissors) = Scissors::named(name) else {
+            let allowed = "this option for the scenes `scissors-<n>` and `scissors-<n>-thermal` only".into();
+            return Err(ancf::error::Error::Scene { file: name.into(), key: option.into(), value, allowed }.into());
+        };
+        Ok(Some(Scissors {
+            angle: self.angle.unwrap_or(scissors.angle),
+            force: self.force.unwrap_or(scissors.force),
+            model: self.temperature.unwrap_or(scissors.model),
+            ..scissors
+        }))
+    }
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let outcome = match &cli.command {
+        None => ancf_study::main_job(&cli.out.folder, print).map_err(Error::from),
+        Some(Command::Run { scene, estimate, out, scissors }) => run_scene(scene, *estimate, scissors, &out.folder),
+        Some(Command::ErrorTime { scenes, references: Some(folder), .. }) => write_references(scenes, folder),
+        Some(Command::ErrorTime { scenes, out, peers, quick, .. }) => {
+            let options = error_time::Options { scenes: scenes.clone(), peers: peers.clone(), quick: *quick };
+            error_time::study(&options, &out.folder, print).map_err(Error::from)
+        }
+        Some(Command::Equations { state }) => print_equations(state),
+        Some(Command::Conform { fixtures, time_limit, no_given, out, command }) => {
+            let options = Options { time_limit: *time_limit, given: !no_given };
+            conform(command, fixtures.as_deref(), options, &out.folder)
+        }
+        Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
+        Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
+        Some(Command::Scenes) => list_scenes(),
+        Some(Command::Scene { name, scissors }) => print_scene(name, scissors),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            // Without a standard error there is nobody left to tell.
+            let _ = writeln!(io::stderr(), "error: {error}");
+            ExitCode::from(error.exit_code())
+        }
+    }
+}
+
+/// `ancf run`.
+fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Path) -> Result<()> {
+    let scene = load(name, options)?;
+    // First, so that a folder that cannot be written is not found after the run.
+    let files = Files::in_folder(folder)?;
+    let clock = Instant::now();
+    let bar = progress(scene.steps());
+    let on_step = |step| bar.set_position(step as u64);
+    let run = if estimate { run_estimated(&scene, on_step) } else { run_with_progress(&scene, on_step) };
+    bar.finish_and_clear();
+    let run = run?;
+    let wall_seconds = clock.elapsed().as_secs_f64();
+    let paths = report::write_run(files, &scene, &run, wall_seconds)?;
+    let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
+    Ok(print(&(report::run_text(&scene, &run, wall_seconds) + &written))?)
+}
+
+/// The scene of a name or path, with the changes that options ask for.
+fn load(name: &str, options: &ScissorsOptions) -> Result<Scene> {
+    match options.change(name)? {
+        Some(scissors) => Ok(scissors.scene()?),
+        None => Ok(Scene::load(name)?),
+    }
+}
+
+/// Reads a time in seconds.
+fn seconds(text: &str) -> std::result::Result<Duration, String> {
+    let allowed = || "allowed: a number over 0 and up to 3600".to_string();
+    let seconds: f64 = text.parse().map_err(|_| allowed())?;
+    if seconds > 0.0 && seconds <= 3600.0 { Ok(Duration::from_secs_f64(seconds)) } else { Err(allowed()) }
+}
+
+/// `ancf equations`.
+fn print_equations(state: &str) -> Result<()> {
+    Ok(print(&equations_text(&state_file::load(state)?))?)
+}
+
+/// `ancf conform`.
+fn conform(command: &[String], fixtures: Option<&Path>, options: Options, folder: &Path) -> Result<()> {
+    let suite = fixtures.map_or_else(Suite::embedded, Suite::load)?;
+    let mut files = Files::in_folder(folder)?;
+    let bar = ProgressBar::new(100);
+    let examination = examine(&suite, command, options, |share| bar.set_position((100.0 * share) as u64));
+    bar.finish_and_clear();
+    let examination = examination?;
+    let text = ancf_conform::report::markdown(&suite, &examination);
+    let json = ancf_conform::report::json(&suite, &examination);
+    files.write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &json)?))?;
+    files.write("conformance.md", |file| file.write_all(text.as_bytes()))?;
+    let paths = files.publish()?;
+    let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
+    print(&format!("{text}\n{written}"))?;
+    if examination.passes() {
+        Ok(())
+    } else {
+        Err(Error::NotConforming { summary: ancf_conform::report::summary(&examination) })
+    }
+}
+
+/// `ancf plan`.
+fn print_plan(name: &str, options: &ScissorsOptions) -> Result<()> {
+    let scene = load(name, options)?;
+    Ok(print(&report::plan_text(&scene))?)
+}
+
+/// `ancf error-time --references`.
+fn write_references(scenes: &[String], folder: &Path) -> Result<()> {
+    let paths = error_time::references(scenes, folder)?;
+    Ok(print(&paths.iter().map(|file| format!("wrote {}\n", file.display())).collect::<String>())?)
+}
+
+/// A bar with the time left, on a terminal; nothing in a pipe.
+fn progress(steps: usize) -> ProgressBar {
+    let bar = ProgressBar::new(steps as u64);
+    let style = ProgressStyle::with_template("step {pos}/{len} {bar:30} {eta} left");
+    style.map_or(bar.clone(), |style| bar.with_style(style))
+}
+
+/// `ancf scene`.
+fn print_scene(name: &str, options: &ScissorsOptions) -> Result<()> {
+    match options.change(name)? {
+        Some(scissors) => print(&scissors.scene()?.to_text())?,
+        None => print(&builtin_text(name)?)?,
+    }
+    Ok(())
+}
+
+/// `ancf scenes`.
+fn list_scenes() -> Result<()> {
+    let width = builtin_names().map(str::len).max().unwrap_or(0);
+    let mut list = String::new();
+    for name in builtin_names() {
+        let title = Scene::load(name)?.title;
+        list += &format!("{name:width$}  {title}\n");
+    }
+    let any = "scissors-<n>";
+    list += &format!("{any:width$}  scissors-3 with n scissor-like elements; scissors-<n>-thermal likewise; ");
+    list += "--angle, --force and --temperature change them\n";
+    Ok(print(&list)?)
+}
+
+/// Prints on standard output; that a reader like `head` has seen enough is no error.
+fn print(text: &str) -> ancf_study::error::Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
+            Err(ancf_study::error::Error::Write { path: "standard output".into(), source })
+        }
+        _ => Ok(()),
+    }
+}

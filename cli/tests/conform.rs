@@ -1,0 +1,479 @@
+//! `ancf conform` with programs that do what programs do: hang, crash, talk nonsense.
+//!
+//! They are shell scripts that answer λ = 0 of (17), which is right where ν = 0.
+
+#![cfg(unix)]
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::time::{Duration, Instant};
+
+use ancf_conform::examination::{Examination, Refusal};
+use ancf_conform::examiner::{Options, examine};
+use ancf_conform::graph::GRAPH;
+use ancf_conform::subject::STARTS;
+use ancf_conform::suite::{Reference, Suite};
+use ancf_conform::verdict::{Fault, Verdict};
+use serde_json::{Value, json};
+
+const QUANTITY: &str = "17.lambda";
+const ANSWER: &str = r#"printf '{"id":"%s","value":0.0}\n' "$id""#;
+
+/// A program: `first` before it listens, `second` in place of its answer to the second question of all.
+fn script(folder: &Path, quantities: &str, first: &str, second: &str) -> Vec<String> {
+    let once = folder.join("once");
+    let text = format!(
+        r#"{first}
+n=0
+while IFS= read -r line; do
+  case $line in
+    *'"hello"'*) printf '%s\n' '{{"hello":{{"name":"fake","quantities":[{quantities}]}}}}' ;;
+    *)
+      id=${{line#*'"id":"'}}; id=${{id%%'"'*}}; n=$((n+1))
+      if [ $n = 2 ] && [ ! -e '{once}' ]; then : > '{once}'; {second}; else {ANSWER}; fi ;;
+  esac
+done
+"#,
+        once = once.display()
+    );
+    let path = folder.join("program.sh");
+    fs::write(&path, text).unwrap();
+    vec!["sh".into(), path.display().to_string()]
+}
+
+fn lambda(first: &str, second: &str, limit: f64) -> Examination {
+    let folder = tempfile::tempdir().unwrap();
+    let command = script(folder.path(), &format!("\"{QUANTITY}\""), first, second);
+    examined(&command, limit)
+}
+
+/// A program that does the same with every question: `answer` may use `$line` and `$id`.
+fn always(answer: &str, limit: f64) -> Examination {
+    let folder = tempfile::tempdir().unwrap();
+    let command = script(folder.path(), &format!("\"{QUANTITY}\""), "", ":");
+    let text = fs::read_to_string(&command[1]).unwrap();
+    let start = text.find("if [ $n = 2 ]").unwrap();
+    let end = text[start..].find("fi ;;").unwrap() + start;
+    fs::write(&command[1], format!("{}{answer} {}", &text[..start], &text[end + 3..])).unwrap();
+    examined(&command, limit)
+}
+
+fn examined(command: &[String], limit: f64) -> Examination {
+    let options = Options { time_limit: Duration::from_secs_f64(limit), given: true };
+    examine(&Suite::embedded().unwrap(), command, options, |_| {}).unwrap()
+}
+
+fn text_of(examination: &Examination) -> String {
+    ancf_conform::report::markdown(&Suite::embedded().unwrap(), examination)
+}
+
+/// The faults of λ, after making sure that all other cases were asked and judged.
+fn faults(examination: &Examination) -> Vec<Fault> {
+    let (_, cases) = examination.verdicts.iter().find(|(quantity, _)| *quantity == QUANTITY).unwrap();
+    let suite = Suite::embedded().unwrap();
+    let mut faults = Vec::new();
+    for (n, verdict) in cases {
+        let right = suite.cases[*n].values[QUANTITY].numbers[0] == 0.0;
+        match verdict {
+            Verdict::Pass { .. } => assert!(right),
+            Verdict::Wrong(_) => assert!(!right),
+            Verdict::Fault(fault) => faults.push(fault.clone()),
+            Verdict::NotImplemented => panic!("λ is implemented"),
+        }
+    }
+    assert_eq!(cases.len(), 36);
+    assert!(!examination.passes());
+    let blame = &examination.blame;
+    assert_eq!(
+        blame.culprits.first().map(|culprit| culprit.quantity).or(blame.silent.first().copied()),
+        Some(QUANTITY)
+    );
+    faults
+}
+
+#[test]
+fn a_program_that_hangs_is_ended_and_started_again() {
+    let started = Instant::now();
+    let examination = lambda("", "exec sleep 30", 0.5);
+    assert_eq!(faults(&examination), [Fault::TimeLimit("0.5 s".into())]);
+    assert_eq!(examination.starts, 2);
+    assert!(started.elapsed() < Duration::from_secs(15), "{:?}", started.elapsed());
+}
+
+#[test]
+fn a_program_that_crashes_is_started_again_and_quoted() {
+    let examination = lambda("", "echo 'out of luck' >&2; exit 3", 10.0);
+    let faults = faults(&examination);
+    let [Fault::Crash(how)] = &faults[..] else { panic!("{faults:?}") };
+    assert!(how.contains("exit status: 3") && how.contains("out of luck"), "{how}");
+    assert_eq!(examination.starts, 2);
+}
+
+#[test]
+fn garbage_nan_and_wrong_shapes_are_results() {
+    for (second, expected) in [
+        ("echo '{\"result\": 7}'", Fault::Garbage("{\"result\": 7}".into())),
+        (r#"printf '{"id":"%s","value":NaN}\n' "$id""#, Fault::NotFinite("1 of its entries".into())),
+        (r#"printf '{"id":"%s","value":[[0],[0]]}\n' "$id""#, Fault::Shape("2 × 1; expected a number".into())),
+        (r#"printf '{"id":"%s","error":"no idea"}\n' "$id""#, Fault::Error("no idea".into())),
+    ] {
+        assert_eq!(faults(&lambda("", second, 10.0)), [expected]);
+    }
+    let faults = faults(&lambda("", r#"printf '{"id":"%s","value":' "$id"; exit 0"#, 10.0));
+    let [Fault::Crash(how)] = &faults[..] else { panic!("{faults:?}") };
+    assert!(how.contains("exit status: 0; it printed: {\"id\":"), "{how}");
+}
+
+#[test]
+fn a_message_in_place_of_an_answer_is_shown() {
+    let examination = lambda("", "echo 'computing ...'", 1.0);
+    assert_eq!(faults(&examination), [Fault::Garbage("computing ...".into())]);
+    assert_eq!(examination.starts, 1);
+}
+
+#[test]
+fn messages_beside_answers_are_passed_over_and_told() {
+    let examination = always(&format!("echo \"step $n\"; echo; {ANSWER};"), 5.0);
+    assert_eq!((faults(&examination), examination.chatter.first.as_str()), (vec![], "step 1"));
+    let text = text_of(&examination);
+    assert!(text.contains("on its standard output that are no JSON, the first: `step 1`"), "{text}");
+    // A slow answer behind a message is waited for.
+    assert_eq!(faults(&lambda("", &format!("echo 'computing ...'; sleep 1; {ANSWER}"), 5.0)), []);
+}
+
+#[test]
+fn a_banner_before_hello_is_passed_over() {
+    let examination = lambda("echo 'welcome to mine'; echo '[1, 2]'", ANSWER, 5.0);
+    assert_eq!((faults(&examination), examination.chatter.lines), (vec![], 2));
+}
+
+#[test]
+fn a_program_that_never_speaks_json_has_no_kind_of_mistake() {
+    let started = Instant::now();
+    let examination = always("printf \"{'id': '%s', 'value': 0.0}\\n\" \"$id\";", 1.0);
+    let faults = faults(&examination);
+    assert_eq!(faults.len(), 36);
+    assert!(faults.iter().all(|fault| matches!(fault, Fault::Garbage(line) if line.starts_with("{'id': '"))));
+    // The first time it has all its time, then it is known.
+    assert!(started.elapsed() < Duration::from_secs(10), "{:?}", started.elapsed());
+    let text = text_of(&examination);
+    assert!(
+        text.contains("**It answers no numbers for `17.lambda`: no answer but another line.** The first: "),
+        "{text}"
+    );
+    assert!(!text.contains("What fits") && !text.contains("known kind"), "{text}");
+}
+
+#[test]
+fn crashes_are_no_evidence_of_a_kind_nor_against_one() {
+    // λ = 0, and it ends at the second question.
+    let examination = lambda("", "exit 9", 5.0);
+    let finding = &examination.findings[0].1;
+    assert_eq!(finding.without_numbers.iter().collect::<Vec<_>>(), [(&"ended", &1)]);
+    assert_eq!(finding.kinds[0].1, "λ = 0");
+    let text = text_of(&examination);
+    assert!(text.contains("It answers no number in 1 of 25 failing cases: ended in 1. What fits: ν in the"), "{text}");
+}
+
+#[test]
+fn a_state_that_hangs_where_it_has_to_be_refused_is_told_apart() {
+    let examination = always(&format!("case $line in *'\"nu\":0.5,'*) exec sleep 30 ;; esac; {ANSWER};"), 0.5);
+    let text = text_of(&examination);
+    for part in [
+        "\nNeither refused nor answered: `poisson-half`, asked for 17.lambda: no answer within 0.5 s; `nu` is wrong",
+        "\nNot refused: `poisson-beyond-half`, asked for 17.lambda: a value was answered; `nu` is wrong",
+        "states that have to be refused 1 got a value. In 1 of",
+    ] {
+        assert!(text.contains(part), "no {part:?} in:\n{text}");
+    }
+}
+
+/// A program that has all its answers ready: to every question of the first round, to what has to be refused, and to what is asked again
+/// with given values where everything that can be is wrong. `answer` is told the quantity, its numbers, and whether it is asked again.
+fn prepared(given: bool, answer: impl Fn(&str, &Reference, bool) -> Value) -> Examination {
+    let suite = Suite::embedded().unwrap();
+    let round = |again: bool| {
+        let nodes = GRAPH.iter().filter(move |node| !again || !node.given.is_empty());
+        let mut answers = Vec::new();
+        for node in nodes {
+            let rights = suite.cases.iter().filter_map(|case| case.values.get(node.quantity));
+            answers.extend(rights.map(|right| answer(node.quantity, right, again)));
+        }
+        answers
+    };
+    let mut answers = round(false);
+    answers.extend(suite.invalid.iter().map(|_| json!({"error": "no"})));
+    if given {
+        answers.extend(round(true));
+    }
+    let mut text = format!("{}\n", json!({"hello": {"name": "prepared", "given": given}}));
+    for (n, mut answer) in answers.into_iter().enumerate() {
+        answer["id"] = (n + 1).to_string().into();
+        text += &format!("{answer}\n");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("answers");
+    fs::write(&file, text).unwrap();
+    let command = format!("read hello; cat '{}'; exec cat > /dev/null", file.display());
+    examined(&["sh".into(), "-c".into(), command], 10.0)
+}
+
+/// Nested lists with every number changed.
+fn mapped(value: &Value, change: &dyn Fn(f64) -> Value) -> Value {
+    match value {
+        Value::Array(items) => items.iter().map(|item| mapped(item, change)).collect(),
+        number => change(number.as_f64().unwrap()),
+    }
+}
+
+#[test]
+fn a_program_that_is_wrong_everywhere_gets_its_report_at_once() {
+    let started = Instant::now();
+    let examination = prepared(true, |_, right, again| {
+        let more = if again { 0.2 } else { 0.1 };
+        json!({"value": mapped(&right.json, &|x| json!(2.0 * x + more))})
+    });
+    let text = text_of(&examination);
+    assert!(examination.blame.culprits.len() > 40, "{}", examination.blame.culprits.len());
+    assert!(text.contains("**First wrong equation: (4), `4.nodes`.**"), "{text}");
+    assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
+}
+
+#[test]
+fn errors_and_other_shapes_everywhere_are_no_equations_mistakes() {
+    let flat = |right: &Reference| json!({"value": [[[right.numbers]]]});
+    let strings = |right: &Reference| json!({"value": mapped(&right.json, &|x| json!(x.to_string()))});
+    type Answer<'a> = &'a dyn Fn(&Reference) -> Value;
+    let answers: [(Answer, &str); 4] = [
+        (
+            &|_| json!({"error": "TypeError: oops"}),
+            ": an error.** The first: `rest-horizontal`: error: TypeError: oops.",
+        ),
+        (&|_| json!({"value": []}), ": another shape.** The first:"),
+        (&flat, ": another shape.** The first:"),
+        (&strings, "no nested lists of numbers"),
+    ];
+    for (answer, part) in answers {
+        let examination = prepared(false, |_, right, _| answer(right));
+        let text = text_of(&examination);
+        assert_eq!((examination.blame.culprits.len(), examination.blame.silent.len()), (0, GRAPH.len()), "{text}");
+        assert!(examination.findings.is_empty() && examination.alike().is_empty() && !examination.passes());
+        assert!(text.contains("**It answers no numbers for any of 68 quantities: ") && text.contains(part), "{text}");
+        assert!(!text.contains("What fits") && !text.contains("wrong equation"), "{text}");
+    }
+}
+
+#[test]
+fn another_shape_of_one_quantity_excuses_no_other() {
+    let examination = prepared(false, |quantity, right, _| match quantity {
+        "20.K" => json!({"value": right.numbers}),
+        "19.Q_e" => json!({"value": mapped(&right.json, &|x| json!(2.0 * x))}),
+        _ => json!({"value": right.json}),
+    });
+    let text = text_of(&examination);
+    for part in [
+        "**It answers no numbers for `20.K`: another shape.** The first: ",
+        "196; expected 14 × 14. Whether its equation is wrong is not known.",
+        "**First wrong equation: (19), `19.Q_e`.**",
+        "so that the mistake may be there: 20.K.",
+    ] {
+        assert!(text.contains(part), "no {part:?} in:\n{text}");
+    }
+}
+
+#[test]
+fn a_line_without_an_end_is_not_read_again_and_again() {
+    let started = Instant::now();
+    let examination = always("exec tr '\\0' '[' < /dev/zero;", 20.0);
+    let (_, cases) = examination.verdicts.iter().find(|(quantity, _)| *quantity == QUANTITY).unwrap();
+    assert!(matches!(&cases[0].1, Verdict::Fault(Fault::Endless(_))), "{:?}", cases[0]);
+    assert!(cases[1..].iter().all(|(_, verdict)| matches!(verdict, Verdict::Fault(Fault::NotAsked(_)))));
+    assert!(started.elapsed() < Duration::from_secs(30), "{:?}", started.elapsed());
+    let text = text_of(&examination);
+    assert!(text.contains("`17.lambda`: a line without an end.** The first:"), "{text}");
+}
+
+#[test]
+fn what_a_program_starts_ends_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("grandchild");
+    lambda("", &format!("sleep 300 & echo $! > '{}'; wait", file.display()), 0.5);
+    let id = fs::read_to_string(&file).unwrap();
+    let status = fs::read_to_string(format!("/proc/{}/stat", id.trim())).unwrap_or_default();
+    let runs = Command::new("kill").args(["-0", id.trim()]).output().unwrap().status.success();
+    // Where nobody reaps orphans it stays as a zombie.
+    assert!(!runs || status.contains(") Z "), "{id}: {status}");
+}
+
+#[test]
+fn a_hundred_messages_before_an_answer_are_passed_over() {
+    let lines = |n: usize| format!("i=0; while [ $i -lt {n} ]; do echo step; i=$((i+1)); done; {ANSWER}");
+    assert_eq!(faults(&lambda("", &lines(100), 10.0)), []);
+    assert_eq!(faults(&lambda("", &lines(101), 10.0)), [Fault::Garbage("step".into())]);
+}
+
+#[test]
+fn names_in_hello_that_nobody_asks_for_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let command = script(folder.path(), "\"17.lambda\",\"1.R\",\"99.zz\"", "", ANSWER);
+    let examination = examined(&command, 10.0);
+    let text = text_of(&examination);
+    assert!(text.contains("Its hello lists what is not asked for: `1.R`, `99.zz`."), "{text}");
+    let report = ancf_conform::report::json(&Suite::embedded().unwrap(), &examination);
+    assert_eq!(report["program"]["unknown"], json!(["1.R", "99.zz"]));
+    let command = ["sh", "-c", "echo '{\"hello\": 5}'; cat"].map(String::from);
+    let Err(Fault::Garbage(told)) = examined(&command, 10.0).hello else { panic!() };
+    assert!(told.contains("`hello` has to be an object"), "{told}");
+}
+
+#[test]
+fn a_late_answer_and_a_second_one_are_passed_over() {
+    // Twice the answer: the second copy comes when the next question waits.
+    assert_eq!(faults(&lambda("", &format!("{ANSWER}; {ANSWER}"), 10.0)), []);
+}
+
+#[test]
+fn a_slow_start_is_no_hang_and_standard_error_never_blocks() {
+    let noise = "i=0; while [ $i -lt 3000 ]; do echo 'a line of a hundred bytes that says nothing at all, again and again and again, to whom it may' >&2; i=$((i+1)); done";
+    assert_eq!(faults(&lambda(&format!("sleep 1; {noise}"), &format!("{noise}; {ANSWER}"), 5.0)), []);
+    let examination = lambda("sleep 1", ANSWER, 0.9);
+    assert_eq!((faults(&examination), examination.starts), (vec![], 1));
+}
+
+#[test]
+fn a_program_that_closes_its_input_is_noticed() {
+    let started = Instant::now();
+    let examination = lambda("", &format!("exec <&-; {ANSWER}; exec sleep 20"), 10.0);
+    let faults = faults(&examination);
+    assert!(matches!(&faults[..], [Fault::Crash(how)] if how.contains("does not read")), "{faults:?}");
+    assert!(started.elapsed() < Duration::from_secs(8), "{:?}", started.elapsed());
+}
+
+#[test]
+fn a_program_that_always_crashes_is_given_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let all: Vec<String> = ancf_conform::graph::GRAPH.iter().map(|node| format!("\"{}\"", node.quantity)).collect();
+    let command = script(folder.path(), &all.join(","), "", ":");
+    fs::write(&command[1], fs::read_to_string(&command[1]).unwrap().replace("n=$((n+1))", "exit 1")).unwrap();
+    let options = Options { time_limit: Duration::from_secs(5), given: true };
+    let examination = examine(&Suite::embedded().unwrap(), &command, options, |_| {}).unwrap();
+    assert_eq!(examination.starts, STARTS);
+    let verdicts: Vec<&Verdict> =
+        examination.verdicts.iter().flat_map(|(_, cases)| cases.iter().map(|c| &c.1)).collect();
+    assert!(verdicts.iter().all(|verdict| verdict.fails()));
+    let given_up = |why: &str| {
+        verdicts.iter().any(|v| matches!(v, Verdict::Fault(Fault::NotAsked(reason)) if reason.contains(why)))
+    };
+    assert!(given_up("3 times before") && given_up(&format!("started {STARTS} times")));
+    let text = text_of(&examination);
+    for part in ["`4.nodes`, ", ": ended.** The first: ", ": not asked any more.** The first: "] {
+        assert!(text.contains(part), "no {part:?} in:\n{text}");
+    }
+}
+
+#[test]
+fn states_that_have_to_be_refused_are_asked_for_and_told() {
+    let examination = lambda("", ANSWER, 10.0);
+    let outcomes: Vec<&Refusal> = examination.refusals.iter().map(|(_, refusal)| refusal).collect();
+    let suite = Suite::embedded().unwrap();
+    for (invalid, outcome) in suite.invalid.iter().zip(outcomes) {
+        let expected = if invalid.equation == QUANTITY { Refusal::Accepted } else { Refusal::NotImplemented };
+        assert_eq!(*outcome, expected, "{}", invalid.id);
+    }
+    let text = ancf_conform::report::markdown(&suite, &examination);
+    assert!(text.contains("Not refused: `poisson-half`, asked for 17.lambda: a value was answered"), "{text}");
+}
+
+fn ancf(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ancf")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+#[test]
+fn the_command_writes_a_report_and_ends_with_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let command = script(folder.path(), "\"17.lambda\",\"17.mu\"", "", ANSWER);
+    let fixtures = concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures");
+    let output = ancf(folder.path(), &["conform", "--fixtures", fixtures, "--", &command[0], &command[1]]);
+    let (text, message) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("the program does not conform: 0 quantities pass, 2 fail"), "{message}");
+    for part in [
+        "## Conformance of fake",
+        "**First wrong equation: (17), `17.lambda`.** It depends on the state alone.",
+        "ν in the wrong place (λ = 0)",
+        "**Wrong by itself too: (17), `17.mu`.**",
+        "Only in states tagged nu.",
+        "| 17.lambda | **fail** | 12 / 36 | 0.7 | `rest-vertical`: 0e0 where 1.5e3 is right |",
+        "| 1.r | not implemented | – | – |  |",
+    ] {
+        assert!(text.contains(part), "no {part:?} in:\n{text}");
+    }
+    let report: Value =
+        serde_json::from_str(&fs::read_to_string(folder.path().join("out/conformance.json")).unwrap()).unwrap();
+    assert_eq!(report["first_wrong"]["quantity"], "17.lambda");
+    assert_eq!(report["culprits"].as_array().unwrap().len(), 2);
+    assert_eq!(report["fixtures"]["equations.json"], "1.2");
+    assert_eq!(report["tags"]["rest"]["pass"], 2);
+}
+
+#[test]
+fn a_command_that_cannot_be_used_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    for (arguments, code, part) in [
+        (&["conform"][..], 2, "COMMAND"),
+        (&["conform", "--", "./no-such-program"], 2, "cannot start the command `./no-such-program`"),
+        (&["conform", "--fixtures", "nowhere", "--", "true"], 2, "cannot read nowhere/equations.json"),
+        (&["conform", "--time-limit", "0", "--", "true"], 2, "allowed: a number over 0 and up to 3600"),
+    ] {
+        let output = ancf(folder.path(), arguments);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {message}");
+        assert!(message.contains(part), "no {part:?} in: {message}");
+        assert!(!folder.path().join("out/conformance.json").exists());
+    }
+}
+
+#[test]
+fn a_program_without_hello_gets_a_report_in_which_everything_fails() {
+    let folder = tempfile::tempdir().unwrap();
+    let exits = folder.path().join("exits.sh");
+    fs::write(&exits, "echo 'no licence' >&2; exit 4").unwrap();
+    let exits = exits.display().to_string();
+    for (arguments, part) in [
+        (
+            &["conform", "--", "sh", &exits][..],
+            "did not answer hello: the program ended: exit status: 4; its last words: no licence",
+        ),
+        (
+            &["conform", "--", "echo", "good morning"],
+            "did not answer hello: the program ended: exit status: 0; it printed: good morning",
+        ),
+    ] {
+        let output = ancf(folder.path(), arguments);
+        let (text, message) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {message}");
+        assert!(message.contains(part) && text.contains(part), "no {part:?} in: {message}\n{text}");
+        assert!(!text.contains("First wrong equation") && !text.contains("refused"), "{text}");
+        let report = folder.path().join("out/conformance.json");
+        let found: Value = serde_json::from_str(&fs::read_to_string(&report).unwrap()).unwrap();
+        assert_eq!((found["passes"].clone(), found["first_wrong"].clone()), (Value::Bool(false), Value::Null));
+        assert!(found["quantities"].as_array().unwrap().iter().all(|row| row["fail"].as_u64() > Some(0)));
+        assert!(found["program"]["no_hello"].as_str().unwrap().contains("exit status"), "{}", found["program"]);
+        fs::remove_file(report).unwrap();
+    }
+}
+
+/// The adapter in another language: what it has is right, the rest it says that it does not have.
+#[test]
+fn the_partial_adapter_in_javascript_passes() {
+    if Command::new("node").arg("--version").output().is_err() {
+        eprintln!("skipped: node (JavaScript) is not installed");
+        return;
+    }
+    let adapter = concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures/adapters/shape.mjs");
+    let options = Options { time_limit: Duration::from_secs(20), given: true };
+    let examination = examine(&Suite::embedded().unwrap(), &["node".into(), adapter.into()], options, |_| {}).unwrap();
+    assert!(examination.passes(), "{:?}", examination.blame);
+    assert_eq!(examination.implemented(), 8);
+}

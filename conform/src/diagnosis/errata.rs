@@ -1,0 +1,60 @@
+//! The paper's printed errors, copied.
+
+#![allow(non_snake_case)] // The paper's symbols are names here.
+
+use super::stations::{self, K, stations};
+use super::{Candidate, Kind, candidate, possible, rows};
+use crate::suite::{Case, Parsed};
+use ancf::equations::force;
+use ancf::equations::material as law;
+use ancf::equations::shape::Vector14;
+use ancf::state::ElementState;
+
+/// What the paper prints, as the fixtures have it.
+pub(super) fn of<'a>(quantity: &str, case: &'a Case) -> Vec<Candidate<'a>> {
+    let printed = |what: &str, name: &'static str| {
+        vec![possible(Kind::Erratum, what, move || case.values.get(name).map(|value| value.numbers.clone()))]
+    };
+    let mut all = match quantity {
+        "A.3.coefficients" => printed("E1: +r_k in a_1", "A.3.coefficients/printed"),
+        "21.K_3" => printed("E2: −1 in K_3, and no heat", "21.K_3/printed"),
+        "18.U" => printed("E3: the shear counted once", "18.U/printed-shear"),
+        "19.Q_e" => printed("E3: 2μ K_3 for 4μ K_3", "19.Q_e/printed-shear"),
+        "20.K" => printed("E3: 2μ K_3 for 4μ K_3", "20.K/printed-shear"),
+        "tangent.dQ_e" => printed("E3: 2μ K_3 for 4μ K_3", "tangent.dQ_e/printed-shear"),
+        "23.constraint_force" => printed("E4: Φ_q λ for Φ_qᵀ λ", "23.constraint_force/printed"),
+        "23.residual" => printed("E4: Φ_q λ for Φ_qᵀ λ", "23.residual/printed"),
+        _ => Vec::new(),
+    };
+    if let Parsed::Element(state) = &case.parsed {
+        all.extend(of_element(quantity, state));
+    }
+    all
+}
+
+/// The −1 of E2 alone, with heat as it should be, and both errors at once; E3 in the material part of the tangent alone.
+fn of_element<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>> {
+    let (lambda, mu) = (law::lambda(state.E, state.nu), law::mu(state.E, state.nu));
+    let K_123 = move || {
+        let (e, element, eps_T) = (Vector14::from(state.e), state.element(), state.eps_T());
+        let unit = K(&stations(&e, &element, &stations::exact(state)), |_| [0.0, 0.0, 1.0]);
+        let K_3 = force::K_3(&e, &eps_T, &element) - unit;
+        (force::K_1(&e, &eps_T, &element), force::K_2(&e, &eps_T, &element), K_3)
+    };
+    type Sum = fn(f64, f64, &force::Matrix14, &force::Matrix14, &force::Matrix14) -> force::Matrix14;
+    let sums: [(&str, Sum); 2] =
+        [("E2: −1 in K_3", force::K), ("E2 and E3: −1 in K_3, and 2μ K_3 for 4μ K_3", force::K_printed)];
+    let summed = move |sum: Sum| {
+        let (K_1, K_2, K_3) = K_123();
+        sum(lambda, mu, &K_1, &K_2, &K_3)
+    };
+    match quantity {
+        "21.K_3" => vec![candidate(Kind::Erratum, "E2: −1 in K_3", move || rows(&K_123().2))],
+        "20.K" => sums.map(|(what, sum)| candidate(Kind::Erratum, what, move || rows(&summed(sum)))).into(),
+        "19.Q_e" => {
+            let e = Vector14::from(state.e);
+            sums.map(|(what, sum)| candidate(Kind::Erratum, what, move || rows(&force::Q_e(&e, &summed(sum))))).into()
+        }
+        _ => Vec::new(),
+    }
+}

@@ -1,0 +1,178 @@
+//! The section of the paper's element: its strains, its law through the thickness, and their derivatives.
+
+#![allow(non_snake_case)] // The symbols of the derivation are names here: A, I, N, H.
+
+use crate::elements::plane::{Block, Scalar, Vec2, Vector};
+use crate::model::Poisson;
+
+/// The plane law of the section: Lamé's constants, Pa, and where Poisson's terms act.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Law {
+    /// Lamé's first constant.
+    pub lambda: f64,
+    /// Shear modulus.
+    pub mu: f64,
+    /// Across the section, as in the paper, or on the axis ([`equations::axis`](crate::equations::axis)).
+    pub poisson: Poisson,
+}
+
+/// The current vectors of a section: tangent r', director d and its rate κ = d'.
+#[derive(Clone, Copy)]
+pub(super) struct Section<V> {
+    pub r_x: V,
+    pub d: V,
+    pub kappa: V,
+}
+
+/// Generalized strains of a section, or the forces that do work on them, or rates of either.
+#[derive(Clone, Copy)]
+pub(super) struct Resultants<S> {
+    /// ε₁₁ = a₀ + a₁y + a₂y².
+    pub a: [S; 3],
+    /// ε₂₂ = c.
+    pub c: S,
+    /// 2ε₁₂ = g₀ + g₁y.
+    pub g: [S; 2],
+}
+
+impl<S: Scalar> Resultants<S> {
+    #[inline(always)]
+    pub fn zip(self, other: Self, f: impl Fn(S, S) -> S) -> Self {
+        Resultants {
+            a: [0, 1, 2].map(|n| f(self.a[n], other.a[n])),
+            c: f(self.c, other.c),
+            g: [0, 1].map(|n| f(self.g[n], other.g[n])),
+        }
+    }
+
+    #[inline(always)]
+    pub fn map(self, f: impl Fn(S) -> S) -> Self {
+        Resultants { a: self.a.map(&f), c: f(self.c), g: self.g.map(&f) }
+    }
+
+    #[inline(always)]
+    pub fn mean(self, other: Self) -> Self {
+        self.zip(other, |a, b| S::of(0.5) * (a + b))
+    }
+
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> S {
+        let Resultants { a, c, g } = self.zip(other, |a, b| a * b);
+        a[0] + a[1] + a[2] + c + g[0] + g[1]
+    }
+}
+
+/// ∫ dy of the law: the section's forces from its strains.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SectionLaw {
+    /// (λ + 2μ)A.
+    axial: f64,
+    /// Bending's modulus times I and times ∫ y⁴ dA.
+    bending: [f64; 2],
+    /// μA and μI.
+    shear: [f64; 2],
+    /// λA, and λI where Poisson's terms act across the section. `None` without them: ν = 0.
+    pub coupling: Option<[f64; 2]>,
+}
+
+impl SectionLaw {
+    /// Where Poisson's terms act across the section, λ couples ε₂₂ = c with all of ε₁₁ = a₀ + a₁y + a₂y²; where they act on the
+    /// axis, with a₀ alone, and bending feels E/(1 − ν²).
+    pub fn new(Law { lambda, mu, poisson }: Law, h: f64, w: f64) -> SectionLaw {
+        let (A, I, I_4) = (w * h, w * h.powi(3) / 12.0, w * h.powi(5) / 80.0);
+        let stiff = lambda + 2.0 * mu;
+        let bending = match poisson {
+            Poisson::Full => stiff,
+            Poisson::Axis => 4.0 * mu * (lambda + mu) / stiff,
+        };
+        SectionLaw {
+            axial: stiff * A,
+            bending: [bending * I, bending * I_4],
+            shear: [mu * A, mu * I],
+            coupling: (lambda != 0.0).then_some(SectionLaw::coupling(lambda, poisson, A, I)),
+        }
+    }
+
+    pub fn coupling(lambda: f64, poisson: Poisson, A: f64, I: f64) -> [f64; 2] {
+        [lambda * A, if poisson == Poisson::Full { lambda * I } else { 0.0 }]
+    }
+
+    /// The section's forces: C times its strains.
+    #[inline(always)]
+    pub fn forces<S: Scalar>(&self, strains: &Resultants<S>) -> Resultants<S> {
+        let Resultants { a, c, g } = *strains;
+        let (EA, [EI, EI_4]) = (S::of(self.axial), self.bending.map(S::of));
+        let mut N = Resultants {
+            a: [EA * a[0] + EI * a[2], EI * a[1], EI * a[0] + EI_4 * a[2]],
+            c: EA * c,
+            g: [S::of(self.shear[0]) * g[0], S::of(self.shear[1]) * g[1]],
+        };
+        if let Some([on_axis, across]) = self.coupling.map(|coupling| coupling.map(S::of)) {
+            N.a[0] = N.a[0] + on_axis * c;
+            N.a[2] = N.a[2] + across * c;
+            N.c = N.c + on_axis * a[0] + across * a[2];
+        }
+        N
+    }
+}
+
+/// Second derivative of a station's energy: blocks in p, δ and κ.
+pub(super) type Stiffness = [[Block; 3]; 3];
+
+impl<V: Vector> Section<V> {
+    #[inline(always)]
+    pub fn midpoint(&self, other: &Self) -> Self {
+        let half = V::Number::of(0.5);
+        Section {
+            r_x: (self.r_x + other.r_x).times(half),
+            d: (self.d + other.d).times(half),
+            kappa: (self.kappa + other.kappa).times(half),
+        }
+    }
+}
+
+impl Section<Vec2> {
+    /// Change of the strains at the rates of `before`, when p, δ and κ change from there to here.
+    pub fn change_since(&self, before: &Self) -> Resultants<f64> {
+        let Section { r_x, d, kappa } = *before;
+        let (dp, ddelta, dkappa) = (self.r_x - r_x, self.d - d, self.kappa - kappa);
+        Resultants {
+            a: [r_x.dot(dp), kappa.dot(dp) + r_x.dot(dkappa), kappa.dot(dkappa)],
+            c: d.dot(ddelta),
+            g: [d.dot(dp) + r_x.dot(ddelta), kappa.dot(ddelta) + d.dot(dkappa)],
+        }
+    }
+
+    /// `weight` · (Bᵀ C B₁ + the second derivative of the strains, contracted with the forces `N`), with
+    /// B = ∂(strains)/∂(p, δ, κ) here and B₁ at another section (the same one, but for an energy–momentum step).
+    ///
+    /// a₀ changes by r'·p, a₁ by κ·p + r'·κ, a₂ by κ·κ, c by d·δ, g₀ by d·p + r'·δ, g₁ by κ·δ + d·κ.
+    #[inline(always)]
+    pub fn stiffness(&self, other: &Self, law: &SectionLaw, N: &Resultants<f64>, weight: f64) -> Stiffness {
+        let (r, d, k) = (self.r_x, self.d, self.kappa);
+        let (r_1, d_1, k_1) = (other.r_x, other.d, other.kappa);
+        let SectionLaw { axial: EA, bending: [EI, EI_4], shear: [GA, GI], coupling } = *law;
+        let [EA, EI, EI_4, GA, GI] = [EA, EI, EI_4, GA, GI].map(|stiffness| weight * stiffness);
+        let Resultants { a, c, g } = N.map(|force| weight * force);
+        let outer = Block::outer;
+        let pk = outer(EI, k, r_1) + outer(EI, r, k_1);
+        let mut H = [
+            [outer(EA, r, r_1) + outer(EI, k, k_1) + outer(GA, d, d_1), outer(GA, d, r_1), pk],
+            [outer(GA, r, d_1), outer(EA, d, d_1) + outer(GA, r, r_1) + outer(GI, k, k_1), outer(GI, k, d_1)],
+            [pk, outer(GI, d, k_1), outer(EI, r, r_1) + outer(EI_4, k, k_1) + outer(GI, d, d_1)],
+        ];
+        if let Some([on_axis, across]) = coupling.map(|coupling| coupling.map(|stiffness| weight * stiffness)) {
+            H[0][1] = H[0][1] + outer(on_axis, r, d_1);
+            H[1][0] = H[1][0] + outer(on_axis, d, r_1);
+            H[2][1] = H[2][1] + outer(across, k, d_1);
+            H[1][2] = H[1][2] + outer(across, d, k_1);
+        }
+        let geometric = [[a[0], g[0], a[1]], [g[0], c, g[1]], [a[1], g[1], a[2]]];
+        for (row, geometric) in H.iter_mut().zip(geometric) {
+            for (block, geometric) in row.iter_mut().zip(geometric) {
+                *block = *block + Block::identity(geometric);
+            }
+        }
+        H
+    }
+}

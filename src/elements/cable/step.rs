@@ -1,0 +1,98 @@
+//! The energy–momentum step of the cable: vectors and moments whose products with a step's change are exact.
+
+#![allow(non_snake_case)] // EA, EI and H, as in the derivation.
+
+use super::axis::{Bend, Blocks, Both, Stretch, combined, cross_rate_rate, outers};
+use crate::elements::plane::{Block, Scalar, Vec2, Vector};
+
+/// A station of the axial strain at both ends of a step.
+pub(super) struct StretchStep<V: Vector> {
+    pub start: Stretch<V>,
+    pub end: Stretch<V>,
+    pub eps_T: [f64; 2],
+}
+
+impl<V: Vector> StretchStep<V> {
+    #[inline(always)]
+    pub fn mean_force(&self, EA: f64) -> V::Number {
+        let [half_EA, heat] = [0.5 * EA, self.eps_T[0] + self.eps_T[1]].map(V::Number::of);
+        half_EA * (self.start.strain + self.end.strain - heat)
+    }
+
+    #[inline(always)]
+    fn per_length(&self) -> V::Number {
+        V::Number::of(1.0) / (self.start.length + self.end.length)
+    }
+
+    /// Vector whose product with p₁ − p₀ is |r_x|₁ − |r_x|₀: 2 r̄_x/(|r_x|₀ + |r_x|₁), as |r_x|² changes by 2 r̄_x·(p₁ − p₀).
+    #[inline(always)]
+    pub fn rate(&self) -> V {
+        (self.start.r_x + self.end.r_x).times(self.per_length())
+    }
+}
+
+impl StretchStep<Vec2> {
+    /// Its derivative with respect to p₁.
+    pub fn rate_rate(&self) -> Block {
+        (Block::identity(1.0) - Block::outer(1.0, self.rate(), self.end.rate())) * self.per_length()
+    }
+}
+
+/// A station of the curvature at both ends of a step.
+pub(super) struct BendStep<V: Vector> {
+    pub start: Bend<V>,
+    pub end: Bend<V>,
+}
+
+impl<V: Vector> BendStep<V> {
+    #[inline(always)]
+    pub fn mean_moment(&self, EI: f64) -> V::Number {
+        V::Number::of(0.5 * EI) * (self.start.kappa() + self.end.kappa())
+    }
+
+    /// The axis in the middle of the step; the cross product and the square averaged, not those of the middle.
+    #[inline(always)]
+    fn middle(&self) -> Bend<V> {
+        let (BendStep { start, end }, half) = (self, V::Number::of(0.5));
+        let square = half * (start.square + end.square);
+        Bend {
+            r_x: (start.r_x + end.r_x).times(half),
+            r_xx: (start.r_xx + end.r_xx).times(half),
+            cross: half * (start.cross + end.cross),
+            square,
+            inverse: V::Number::of(1.0) / square,
+        }
+    }
+
+    /// 1/(q₀q₁) of the derivation below.
+    #[inline(always)]
+    fn per_squares(&self) -> V::Number {
+        self.start.inverse * self.end.inverse
+    }
+
+    /// Vector whose product with the change Δ of (p, s) is κ₁ − κ₀. With c = r_x × r_xx and q = |r_x|², both quadratic, so that
+    /// their derivatives in the middle give Δc and Δq exactly: κ₁ − κ₀ = c₁/q₁ − c₀/q₀ = (q̄ Δc − c̄ Δq)/(q₀q₁).
+    #[inline(always)]
+    pub fn rate(&self) -> Both<V> {
+        let Bend { r_x, r_xx, cross, square, .. } = self.middle();
+        [-r_xx.turn().times(square) - r_x.times(cross + cross), r_x.turn().times(square)]
+            .map(|rate| rate.times(self.per_squares()))
+    }
+}
+
+impl BendStep<Vec2> {
+    /// Its derivative with respect to (p₁, s₁), from rate · q₀q₁ differentiated.
+    pub fn rate_rate(&self) -> Blocks {
+        let Bend { r_x, r_xx, cross, square, .. } = self.middle();
+        // ∂q₁ = 2 r_x1, ∂c₁; the averages change by half of that, and so do r_x and r_xx.
+        let square_1 = [self.end.r_x * 2.0, Vec2::ZERO];
+        let cross_1 = [-self.end.r_xx.turn(), self.end.r_x.turn()];
+        let cross_rate = [-r_xx.turn(), r_x.turn()];
+        let square_rate = [r_x * 2.0, Vec2::ZERO];
+        let mut H = combined(0.5, &outers(cross_rate, square_1), -0.5, &outers(square_rate, cross_1));
+        H = combined(1.0, &H, 0.5 * square, &cross_rate_rate());
+        H[0][0] = H[0][0] - Block::identity(cross);
+        let product = outers(self.rate(), square_1);
+        combined(self.per_squares(), &H, -self.start.square * self.per_squares(), &product)
+    }
+}

@@ -1,0 +1,124 @@
+//! Equilibrium Q_e(u, s ΔT) = s f as the load factor s grows from 0 to 1.
+//!
+//! Newton's iteration with independent stresses (Magisano, Leonetti and Garcea 2017,
+//! [`Beam::mixed_tangent`](crate::elements::Beam::mixed_tangent)): slender rods in large bending, where plain Newton
+//! creeps along in steps that stretch the axis too little to matter, take it no longer than stubby ones.
+//!
+//! What is found is an equilibrium, not always a stable one: a perfect column stays straight above its Euler load.
+
+use nalgebra::DVector;
+
+use crate::elements::ThermalStrain;
+use crate::error::{Error, Result};
+use crate::integrators::counts::Counts;
+use crate::integrators::newton::{Equations, Increment, Newton, Residual};
+use crate::integrators::{Integrator, State};
+use crate::linear::SingularAt;
+use crate::structure::{Matrix, Structure};
+
+/// Load steps; the load factor takes the place of time.
+#[derive(Debug)]
+pub struct Statics {
+    newton: Newton,
+    memory: Memory,
+}
+
+/// What a load step works on.
+#[derive(Debug)]
+struct Memory {
+    /// That of the last load step is the guess for the next.
+    increment: Increment,
+    /// The displacement before the last improvement.
+    before: DVector<f64>,
+    load: DVector<f64>,
+    thermal: Vec<ThermalStrain>,
+}
+
+impl Statics {
+    /// Statics of a structure. [`Newton::with_new_matrices`] is what converges best.
+    pub fn new(structure: &Structure, newton: Newton) -> Statics {
+        let zeros = || DVector::zeros(structure.size());
+        let memory = Memory {
+            increment: Increment::new(structure),
+            before: zeros(),
+            load: zeros(),
+            thermal: structure.thermal_strains(0.0),
+        };
+        Statics { newton, memory }
+    }
+}
+
+/// The equations of one load step.
+struct Step<'a> {
+    structure: &'a Structure,
+    u_0: &'a DVector<f64>,
+    memory: &'a mut Memory,
+    largest_load: f64,
+    /// Whether an improvement was made, so that there is a displacement before it.
+    improved: bool,
+}
+
+impl Equations for Step<'_> {
+    fn residual(&mut self, counts: &mut Counts) -> Residual {
+        let Memory { increment, load, thermal, .. } = &mut *self.memory;
+        increment.move_from(self.u_0);
+        let Increment { u, value, .. } = increment;
+        self.structure.force(u, thermal, value);
+        counts.force_calls += 1;
+        let largest_term = self.structure.largest(value).max(self.largest_load);
+        *value -= &*load;
+        Residual { size: self.structure.largest(value), largest_term }
+    }
+
+    fn at_rounding(&self, times: f64) -> bool {
+        self.memory.increment.at_rounding(self.structure, &self.memory.thermal, times)
+    }
+
+    fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
+        let Memory { increment: Increment { u, factors, .. }, before, thermal, .. } = &mut *self.memory;
+        let before = if self.improved { &*before } else { &*u };
+        self.structure.factorize(Matrix::Mixed { before, u, thermal }, factors)
+    }
+
+    fn improve(&mut self) {
+        self.memory.before.copy_from(&self.memory.increment.u);
+        self.improved = true;
+        self.memory.increment.improve();
+    }
+
+    fn undo(&mut self) {
+        self.memory.increment.undo();
+    }
+}
+
+impl Integrator for Statics {
+    fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
+        let Statics { newton, memory } = self;
+        structure.thermal_strains_into(t_1, &mut memory.thermal);
+        structure.load_into(t_1, &mut memory.load);
+        let largest_load = structure.largest(&memory.load);
+        let mut step = Step { structure, u_0: &state.u, memory, largest_load, improved: false };
+        newton.solve(structure, t_1, &mut step, counts).map_err(no_equilibrium)?;
+        state.u += &memory.increment.du;
+        state.advance(t_1);
+        counts.steps += 1;
+        Ok(())
+    }
+}
+
+/// What Newton's iteration has to say, in terms of loads instead of times.
+fn no_equilibrium(error: Error) -> Error {
+    match error {
+        Error::NewtonFailed { time: factor, iterations, residual, tolerance, .. } => {
+            let reason = format!(
+                "residual {residual:.3e} of the largest force term after {iterations} iterations (tolerance {tolerance:.1e})"
+            );
+            Error::NoEquilibrium { factor, reason }
+        }
+        Error::Singular { time: factor, iteration, place } => Error::NoEquilibrium {
+            factor,
+            reason: format!("the tangent is singular at {place}, iteration {iteration}"),
+        },
+        other => other,
+    }
+}

@@ -1,0 +1,62 @@
+//! LU factors of chains of elements that are coupled by a border: rods, and the points that they share.
+//!
+//! Each chain is eliminated by itself ([`Elements`](super::Elements)) and leaves its part of a small band matrix over the border:
+//! the cost is linear in the number of rods and of their elements. The matrix is never there as a whole.
+
+use nalgebra::DVector;
+
+use super::frontal::{Chain, Number};
+use super::{BandLu, BandMatrix, SingularAt, flush};
+
+/// The factors, or memory for them.
+#[derive(Debug)]
+pub struct Chains<F: Number = f64> {
+    chains: Vec<Box<dyn Chain<F>>>,
+    corner: Option<BandLu<F>>,
+    /// First unknown of the border, its size and the half-width of its band.
+    border: usize,
+    border_size: usize,
+    border_band: usize,
+}
+
+impl<F: Number> Chains<F> {
+    /// Memory for the factors of these chains, with a border from the unknown `border` on.
+    pub fn new(chains: Vec<Box<dyn Chain<F>>>, border: usize, border_size: usize, border_band: usize) -> Chains<F> {
+        Chains { chains, corner: None, border, border_size, border_band }
+    }
+
+    /// Factorises the matrix whose elements `fill` gives, by the numbers of the chain and of the element in it, as columns.
+    ///
+    /// # Errors
+    /// The unknown whose pivot is zero, or not a number. There are no factors then.
+    pub fn factorize(&mut self, mut fill: impl FnMut(usize, usize, &mut [F])) -> Result<(), SingularAt> {
+        let zeros = || BandMatrix::zeros(self.border_size, self.border_band);
+        let mut corner = self.corner.take().map_or_else(zeros, BandLu::into_zeros);
+        for (number, chain) in self.chains.iter_mut().enumerate() {
+            chain.factorize(&mut |element, matrix| fill(number, element, matrix), &mut corner)?;
+        }
+        self.corner = Some(corner.lu().map_err(|SingularAt(pivot)| SingularAt(self.border + pivot))?);
+        Ok(())
+    }
+
+    /// Solves A x = b in place; what is nothing in a long vector is zero ([`flush`]).
+    ///
+    /// Without factors the solution is not a number.
+    pub fn solve(&self, b: &mut DVector<F>) {
+        let Some(corner) = &self.corner else {
+            b.fill(F::from_real(f64::NAN));
+            return;
+        };
+        self.chains.iter().for_each(|chain| chain.forward(b.as_mut_slice()));
+        corner.solve(&mut b.as_mut_slice()[self.border..]);
+        flush(b);
+        self.chains.iter().for_each(|chain| chain.backward(b.as_mut_slice()));
+        flush(b);
+    }
+
+    /// Memory that the factors take, bytes.
+    pub fn bytes(&self) -> usize {
+        let corner = BandMatrix::<F>::bytes(self.border_size, self.border_band);
+        self.chains.iter().map(|chain| chain.bytes()).sum::<usize>() + corner
+    }
+}

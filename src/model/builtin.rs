@@ -1,0 +1,89 @@
+//! The built-in scenes, embedded in the program.
+
+use std::borrow::Cow;
+use std::fs::File;
+use std::io::{self, Read};
+
+use super::json::parse::nearest;
+use super::{Scene, Scissors};
+use crate::error::{Error, Result};
+
+/// Largest scene file that is read, bytes. A scene of 100 000 rods stays below it; a device or a data file that was
+/// named by mistake does not fill the memory.
+const LARGEST_FILE: u64 = 16 << 20;
+
+/// Name and JSON text of each built-in scene.
+const BUILTIN: [(&str, &str); 10] = [
+    ("pendulum-flexible", include_str!("scenes/pendulum-flexible.json")),
+    ("pendulum-1d", include_str!("scenes/pendulum-1d.json")),
+    ("pendulum-2d", include_str!("scenes/pendulum-2d.json")),
+    ("pendulum-1d-relaxed", include_str!("scenes/pendulum-1d-relaxed.json")),
+    ("pendulum-2d-relaxed", include_str!("scenes/pendulum-2d-relaxed.json")),
+    ("free-rod-heated", include_str!("scenes/free-rod-heated.json")),
+    ("scissors-3", include_str!("scenes/scissors-3.json")),
+    ("scissors-3-thermal", include_str!("scenes/scissors-3-thermal.json")),
+    ("cantilever", include_str!("scenes/cantilever.json")),
+    ("scissor-static", include_str!("scenes/scissor-static.json")),
+];
+
+/// Names of the built-in scenes. There are more of one kind, [`Scissors::named`].
+pub fn builtin_names() -> impl Iterator<Item = &'static str> {
+    BUILTIN.iter().map(|(name, _)| *name)
+}
+
+/// The JSON text of a built-in scene, a file to start from.
+///
+/// # Errors
+/// [`Error::Read`] with the nearest name if no built-in scene has this one, and [`Error::Scene`] for too many scissors.
+pub fn builtin_text(name: &str) -> Result<Cow<'static, str>> {
+    if let Some((_, text)) = BUILTIN.iter().find(|(known, _)| *known == name) {
+        return Ok(Cow::Borrowed(text));
+    }
+    if let Some(scissors) = Scissors::named(name) {
+        return Ok(Cow::Owned(scissors.scene()?.to_text()));
+    }
+    Err(Error::Read { path: name.into(), source: io::Error::new(io::ErrorKind::NotFound, unknown(name)) })
+}
+
+impl Scene {
+    /// A built-in scene; `None` if none has that name.
+    pub fn builtin(name: &str) -> Option<Scene> {
+        Scene::parse(&builtin_text(name).ok()?, name).ok()
+    }
+
+    /// Reads a scene: a built-in one if `name_or_path` is its name, else the file.
+    ///
+    /// # Errors
+    /// [`Error::Read`] if the file cannot be read, with the nearest built-in name if there is no such file, and
+    /// [`Error::Scene`] if it holds something that is not allowed, or for too many scissors.
+    pub fn load(name_or_path: &str) -> Result<Scene> {
+        let text = match builtin_text(name_or_path) {
+            Ok(text) => text,
+            Err(Error::Read { path, .. }) => read(name_or_path).map_err(|source| Error::Read { path, source })?.into(),
+            Err(other) => return Err(other),
+        };
+        // Some editors put a byte order mark before the text.
+        Scene::parse(text.trim_start_matches('\u{feff}'), name_or_path)
+    }
+}
+
+fn unknown(name: &str) -> String {
+    let nearest =
+        nearest(name, builtin_names()).map_or(String::new(), |nearest| format!("the nearest is `{nearest}`, "));
+    format!("no built-in scene has this name; {nearest}`ancf scenes` lists all")
+}
+
+/// The text of the file at `path`.
+fn read(path: &str) -> io::Result<String> {
+    let explain = |source: io::Error| match source.kind() {
+        io::ErrorKind::NotFound => io::Error::new(source.kind(), format!("no such file, and {}", unknown(path))),
+        _ => source,
+    };
+    let mut text = String::new();
+    File::open(path).map_err(explain)?.take(LARGEST_FILE + 1).read_to_string(&mut text)?;
+    if text.len() as u64 > LARGEST_FILE {
+        let reason = format!("larger than {LARGEST_FILE} bytes; allowed: a scene file up to that size");
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, reason));
+    }
+    Ok(text)
+}

@@ -1,0 +1,209 @@
+//! Text → validated scene, and what serde has to say in the terms of a scene file.
+
+use serde::de::DeserializeOwned;
+use serde_json::error::Category;
+
+use super::locate::{line_and_column, quote, start_of, value_at};
+use super::missing::check_missing;
+use super::shape::Object;
+use crate::error::{Error, Result};
+use crate::model::validate::{Refusal, check};
+use crate::model::{Scene, Schema};
+
+/// How much of a name is compared when the nearest known one is looked for, in characters.
+const COMPARED: usize = 64;
+
+impl Scene {
+    /// Reads and validates the text of a scene file; `file` is the name used in messages.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] with the place in the file, the key, the value as it is written, and what is allowed.
+    pub fn parse(text: &str, file: &str) -> Result<Scene> {
+        let scene = read(text).map_err(|(refusal, place)| refusal.into_error(file, Some(place)))?;
+        check_missing(&scene, text).and_then(|()| check(&scene)).map_err(|mut refusal| {
+            if let Some(at) = start_of(text, &refusal.key) {
+                refusal.value = value_at(text, at);
+            }
+            let place = place_of(text, &refusal.key);
+            refusal.into_error(file, Some(place))
+        })?;
+        Ok(scene)
+    }
+
+    /// Validates a scene that was built or changed in memory; `name` is used in messages.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] with the key, the value and what is allowed.
+    pub fn validate(&self, name: &str) -> Result<()> {
+        check(self).map_err(|refusal| refusal.into_error(name, None))
+    }
+}
+
+impl Refusal {
+    pub(crate) fn into_error(self, file: &str, place: Option<(usize, usize)>) -> Error {
+        let file = place.map_or(file.to_string(), |(line, column)| format!("{file}:{line}:{column}"));
+        let key = match quote(&self.key) {
+            // A key of spaces only.
+            key if key.is_empty() => format!("{:?}", self.key),
+            key => key,
+        };
+        Error::Scene { file, key, value: self.value, allowed: self.allowed }
+    }
+}
+
+/// A value that is not allowed in a file other than a scene's.
+#[derive(Debug)]
+pub(crate) struct Refused {
+    /// Path of its key.
+    pub(crate) key: String,
+    /// The value, where it cannot be quoted from the file.
+    pub(crate) value: String,
+    /// What is allowed.
+    pub(crate) allowed: String,
+}
+
+impl Refused {
+    /// The error, with the value as it is written and its place in the file.
+    pub(crate) fn in_file(self, text: &str, file: &str) -> Error {
+        let value = start_of(text, &self.key).map(|at| value_at(text, at)).filter(|value| !value.starts_with('['));
+        let place = place_of(text, &self.key);
+        let refusal = Refusal { key: self.key, value: value.unwrap_or(self.value), allowed: self.allowed };
+        refusal.into_error(file, Some(place))
+    }
+}
+
+/// Reads the JSON of another file than a scene; `whole` is the word for all of it.
+///
+/// # Errors
+/// [`Error::Scene`] with the place in the file, the key, the value as it is written, and what is allowed.
+pub(crate) fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str) -> Result<T> {
+    let refused = |path: &str, error: &serde_json::Error| {
+        let (mut refusal, place) = explain(text, path, error);
+        if refusal.key == WHOLE {
+            refusal.key = whole.into();
+        }
+        refusal.into_error(file, Some(place))
+    };
+    let mut json = serde_json::Deserializer::from_str(text);
+    let Object(read) = serde_path_to_error::deserialize(&mut json)
+        .map_err(|error| refused(&error.path().to_string(), error.inner()))?;
+    json.end().map_err(|error| refused(".", &error))?;
+    Ok(read)
+}
+
+/// Likeness under which a known name is no suggestion: with more than half of the letters others, it is another name and not a misspelt
+/// one.
+const ALIKE: f64 = 0.5;
+
+/// The known name that is most like `name`, whatever the case of its letters; `None` where none is like it.
+pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let prepare = |name: &str| name.chars().take(COMPARED).collect::<String>().to_lowercase();
+    let name = prepare(name);
+    let likeness = |other: &str| strsim::normalized_damerau_levenshtein(&name, &prepare(other));
+    let known = known.into_iter().map(|other| (likeness(other), other)).filter(|(likeness, _)| *likeness >= ALIKE);
+    known.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, other)| other)
+}
+
+/// The same in words behind what is allowed; nothing where there is none.
+pub(crate) fn or_nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(name, known).map_or(String::new(), |nearest| format!("; nearest: `{nearest}`"))
+}
+
+/// Reads a scene that is not validated yet; on failure the refusal with its line and column.
+fn read(text: &str) -> std::result::Result<Scene, (Refusal, (usize, usize))> {
+    // The version comes first, wherever its key stands: a later version may have keys that are unknown here.
+    if let Some(at) = start_of(text, "schema") {
+        let written = value_at(text, at);
+        if serde_json::from_str::<Schema>(&written).is_err() {
+            let allowed = format!("`{}`", Schema::WORDS.join("`, `"));
+            return Err((Refusal { key: "schema".into(), value: written, allowed }, line_and_column(text, at)));
+        }
+    }
+    let mut json = serde_json::Deserializer::from_str(text);
+    let Object(scene) = serde_path_to_error::deserialize::<_, Object<Scene>>(&mut json)
+        .map_err(|error| explain(text, &error.path().to_string(), error.inner()))?;
+    json.end().map_err(|error| explain(text, ".", &error))?;
+    Ok(scene)
+}
+
+/// Line and column of the value of `key`, or of the innermost part of the scene around it that is there.
+fn place_of(text: &str, key: &str) -> (usize, usize) {
+    let mut key = key;
+    loop {
+        if let Some(at) = start_of(text, key) {
+            return line_and_column(text, at);
+        }
+        key = key.rfind(['.', '[']).and_then(|cut| key.get(..cut)).unwrap_or_default();
+    }
+}
+
+/// What serde_json found at `path`, with its line and column.
+///
+/// Key names and expectations are part of serde's messages only, so that they are taken from there; the tests hold
+/// every kind of message that is told apart here.
+fn explain(text: &str, path: &str, error: &serde_json::Error) -> (Refusal, (usize, usize)) {
+    let message = error.to_string();
+    let reason = message.rsplit_once(" at line ").map_or(message.as_str(), |(reason, _)| reason);
+    // "." is the path of the whole file, ".?" at the end means a key that could not be read.
+    let path = path.trim_end_matches('?').trim_end_matches('.');
+    let in_path = |name: &str| if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
+    let at = start_of(text, path);
+    let written = at.map(|at| value_at(text, at)).unwrap_or_default();
+    let expected = reason.rsplit_once(", expected ").map_or("", |(_, expected)| expected);
+    let known = expected.split('`').skip(1).step_by(2);
+    let quoted = |prefix| reason.strip_prefix(prefix).map(|name: &str| name.trim_end_matches('`'));
+
+    let (key, value, allowed) = if let Some(name) = quoted("missing field `") {
+        (in_path(name), "missing".into(), "a value here, the key is required".into())
+    } else if let Some(name) = quoted("duplicate field `") {
+        (in_path(name), "given twice".into(), "each key once".into())
+    } else if reason.starts_with("unknown field") {
+        let name = path.rsplit('.').next().unwrap_or(path);
+        (path.into(), format!("an unknown key (value {written})"), one_of(known, name))
+    } else if reason.starts_with("unknown variant") {
+        (path.into(), written.clone(), one_of(known, written.trim_matches('"')))
+    } else if error.classify() == Category::Data {
+        (path.into(), written, plain(expected))
+    } else if reason == "trailing characters" && !path.is_empty() {
+        (path.into(), written, plain(PAIR))
+    } else if error.classify() == Category::Syntax && !path.is_empty() && !written.starts_with(['{', '[']) {
+        let allowed = format!("a JSON value; numbers are finite, without NaN or Infinity ({reason})");
+        (path.into(), written, allowed)
+    } else {
+        // At the end of a line serde_json counts from 0.
+        let place = (error.line().max(1), error.column().max(1));
+        let value = if error.is_eof() { "cut off at the end of the file".into() } else { "not JSON here".into() };
+        return (Refusal { key: whole(path), value, allowed: format!("JSON ({reason})") }, place);
+    };
+    let place = place_of(text, &key);
+    (Refusal { key: whole(&key), value, allowed }, place)
+}
+
+/// The word for the whole of a scene file.
+const WHOLE: &str = "scene";
+
+/// The key, or a word for the whole file.
+fn whole(key: &str) -> String {
+    if key.is_empty() { WHOLE.into() } else { key.into() }
+}
+
+/// The known names, and the one nearest to `name`.
+fn one_of<'a>(known: impl Iterator<Item = &'a str> + Clone, name: &str) -> String {
+    let all = known.clone().collect::<Vec<_>>().join("`, `");
+    format!("`{all}`{}", or_nearest(name, known))
+}
+
+/// serde's words for a pair of numbers, the only list of fixed length in a scene.
+const PAIR: &str = "an array of length 2";
+
+/// serde's expectation without Rust's names of types.
+fn plain(expected: &str) -> String {
+    match expected {
+        "f64" => "a number",
+        "usize" => "a whole number, not negative",
+        "a sequence" => "a list, […]",
+        PAIR => "a list of two numbers, [a, b]",
+        other => other,
+    }
+    .into()
+}

@@ -1,0 +1,136 @@
+//! The plan: what a scene needs computed, and what is left out because nothing of it would show in the results.
+//!
+//! Leaving something out changes no force, no tangent and no trajectory beyond rounding; [`Plan::full`] computes it all the
+//! same, for tests that hold both equal and for the study that measures what each economy saves.
+
+use serde::Serialize;
+
+use crate::model::{Constraints, Form, Method, Quantity, Scene};
+
+/// What is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Plan {
+    /// Thermal strains, each time that forces are evaluated, and the work of heating.
+    pub heat: bool,
+    /// Poisson's terms λ tr ε of the paper's element.
+    pub poisson: bool,
+    /// The weight of the rods.
+    pub weight: bool,
+    /// Energies and the work of loads.
+    pub energy: bool,
+    /// Accelerations from the equation of motion, with which reactions come too.
+    pub acceleration: bool,
+    /// Multipliers of pins and supports.
+    pub multipliers: bool,
+    /// A new matrix for every iteration of Newton's method.
+    pub new_matrices: bool,
+}
+
+impl Plan {
+    /// What a scene needs.
+    pub fn of(scene: &Scene) -> Plan {
+        let moves = scene.time.method != Method::Static;
+        let asked = |quantity| scene.probes.iter().any(|probe| probe.of.contains(&quantity));
+        Plan {
+            heat: scene.rods.iter().any(|rod| scene.heat(rod).is_some()),
+            poisson: has_poisson(scene) || scene.form == Form::PrintedShear,
+            weight: scene.gravity != [0.0; 2],
+            energy: scene.has_energies(),
+            acceleration: moves && (asked(Quantity::Acceleration) || asked(Quantity::Reaction)),
+            multipliers: scene.constraints == Constraints::Multipliers,
+            new_matrices: matches!(scene.time.method, Method::Static | Method::EnergyMomentum),
+        }
+    }
+
+    /// Everything, needed or not; multipliers as the scene says, as they are other unknowns.
+    pub fn full(scene: &Scene) -> Plan {
+        Plan {
+            heat: true,
+            poisson: true,
+            weight: true,
+            energy: scene.time.method != Method::Static,
+            acceleration: scene.time.method != Method::Static,
+            multipliers: scene.constraints == Constraints::Multipliers,
+            new_matrices: true,
+        }
+    }
+
+    /// The parts in words: what is computed or left out, whether it is computed, and why.
+    pub fn parts(&self, scene: &Scene) -> Vec<Part> {
+        let part = |what, computed, why: &str| Part { what, computed, why: why.into() };
+        let explicit = scene.time.method.is_explicit();
+        vec![
+            part(
+                "thermal strains and the work of heating",
+                self.heat,
+                if self.heat { "a rod has a `temperature`" } else { "no rod has a `temperature` that strains it" },
+            ),
+            part(
+                "Poisson's terms, λ tr ε",
+                self.poisson,
+                match (self.poisson, has_poisson(scene)) {
+                    (true, true) => "a material has ν ≠ 0",
+                    (true, false) => "the printed form computes every term as it stands",
+                    (false, _) => "every material has ν = 0",
+                },
+            ),
+            part("weight, Q_w", self.weight, if self.weight { "there is `gravity`" } else { "there is no `gravity`" }),
+            part(
+                "multipliers of pins and supports",
+                self.multipliers,
+                if self.multipliers {
+                    "`constraints` is \"multipliers\""
+                } else {
+                    "pinned points share their coordinates, and held ones have none"
+                },
+            ),
+            part(
+                "energies and the work of loads",
+                self.energy,
+                match (self.energy, scene.time.method) {
+                    (true, _) => "`output.energy` is true",
+                    (false, Method::Static) => "statics has no energy balance",
+                    (false, _) => "`output.energy` is false",
+                },
+            ),
+            part(
+                "accelerations and reactions at the output rows",
+                self.acceleration,
+                if self.acceleration { "a probe asks for them" } else { "no probe asks for them" },
+            ),
+            part(
+                "tangents",
+                !explicit,
+                if explicit { "the method is explicit" } else { "Newton's iteration needs them" },
+            ),
+            part(
+                "a new matrix and its factors each time",
+                self.new_matrices,
+                match (self.new_matrices, explicit) {
+                    (true, _) if scene.time.method == Method::EnergyMomentum => {
+                        "energy is kept as well as the residual vanishes, which a tangent of each iteration does best"
+                    }
+                    (true, _) => "statics converges best with a tangent of each iteration",
+                    (false, true) => "the mass matrix does not change, and is factorised once",
+                    (false, false) => "an earlier tangent serves as long as the residual shrinks fast with it",
+                },
+            ),
+        ]
+    }
+}
+
+/// Whether a material strains across its stress.
+fn has_poisson(scene: &Scene) -> bool {
+    scene.rods.iter().any(|rod| scene.material(rod).nu != 0.0)
+}
+
+/// One part of a plan.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Part {
+    /// What it is.
+    pub what: &'static str,
+    /// Whether it is computed.
+    pub computed: bool,
+    /// Why, or why not.
+    pub why: String,
+}

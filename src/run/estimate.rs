@@ -1,0 +1,203 @@
+//! How far a run may be from the solution of its equations: in time and in space.
+//!
+//! The run is made again with half the step (adaptive: of the longest, and a tenth of the tolerance; in statics twice the load steps)
+//! and a tenth of Newton's tolerance, and with twice the elements. What that changes of the positions is most of the error where it
+//! falls fast, and half of it where it only halves: an estimate is twice the change. Positions are those of all points, and
+//! deflections those of the probes and of rods between held points, whether a probe asks for them or not. Velocities, accelerations,
+//! reactions and energies are not estimated: after a shock they may not converge at all. Neither a kept energy nor the sum of an
+//! adaptive method's local errors says as much: the first knows nothing of places, and the second nothing of how errors grow or
+//! cancel on their way.
+//!
+//! **When.** Methods of fixed steps are compared after each step, or in long runs after every few, and at the rows: a vibration
+//! that they damp is gone from both runs alike before a late row. The error is the largest of all these instants. Methods that
+//! choose their steps are compared at the rows, and statics at its load steps.
+//!
+//! What both runs miss changes nothing. Where a history comes and goes within a step (`run::short`) the finer steps are as many in one
+//! as it takes to see it, sixteen at most, and without them there is no estimate.
+//!
+//! **No sure digit.** Each place is judged beside its own motion: the way from its start, or from where it would have gone straight
+//! on with the centre of what it hangs together with, whichever is shorter, so that neither a far journey nor another part's swing
+//! hides it. A place that moves by less than a millionth of the structure's size is judged beside the one that moves farthest.
+
+use serde::Serialize;
+
+use super::observer::{SAFETY, Seen, Sight};
+use crate::error::{Error, Result};
+use crate::integrators::{State, integrator};
+use crate::model::plan::Plan;
+use crate::model::{Method, Scene};
+use crate::run::{Run, missed};
+use crate::structure::Structure;
+
+/// Newton's tolerance below which rounding ends the iteration.
+const LEAST_TOLERANCE: f64 = 1e-12;
+
+/// How often the longest step of an adaptive method may be halved until it makes more steps.
+const HALVINGS: usize = 6;
+
+/// Steps of a finer run over those of the run: a tenth of the tolerance makes 1.8 times as many.
+const MORE: f64 = 1.5;
+
+/// Most steps in one of the run's for what comes and goes within it.
+const MOST_PARTS: usize = 16;
+
+/// An estimated error.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Estimate {
+    /// Largest over all instants that are compared, m.
+    pub value: f64,
+    /// "m".
+    pub unit: &'static str,
+    /// How it was found.
+    pub method: String,
+}
+
+/// What is known of a run's errors.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Accuracy {
+    /// The step's part; `None` where nobody asked.
+    pub time: Option<Estimate>,
+    /// The mesh's part.
+    pub space: Option<Estimate>,
+    /// Both together as they are at the rows alone, m: what is comparable with errors that are known there only.
+    pub at_rows: Option<f64>,
+}
+
+impl Accuracy {
+    /// Both parts together, m; `None` where one is not known.
+    pub fn total(&self) -> Option<f64> {
+        Some(self.time.as_ref()?.value + self.space.as_ref()?.value)
+    }
+}
+
+/// Runs a scene and estimates its errors; `on_step` hears of the steps of the run itself.
+///
+/// # Errors
+/// Those of [`run`](crate::run::run); [`Error::NoEstimate`] where a finer run fails, [`Error::Inaccurate`] where both parts together are
+/// more than a tenth of the motion of their place, and [`Error::Unstable`] for an equilibrium that is.
+pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
+    scene.validate("scene")?;
+    let sight = Sight::of(scene);
+    let (mut own, seen) = sight.run_with_progress(scene, on_step)?;
+    let (finer, in_time, seen_in_time, how) = finer_in_time(&sight, &own)?;
+    let time = sight.changes(&seen, &seen_in_time, |_| true);
+
+    // Explicit steps have to be shorter on a finer mesh, and are compared with as short ones.
+    let explicit = scene.time.method.is_explicit();
+    let (base, seen_of_base) = if explicit { (&finer, &seen_in_time) } else { (scene, &seen) };
+    let mut mesh = base.clone();
+    mesh.rods.iter_mut().for_each(|rod| rod.elements *= 2);
+    let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
+    let mesh = stable(mesh).map_err(|error| no_estimate(&on_mesh, error))?;
+    let (on_finer, seen_on_finer) = sight.run(&mesh).map_err(|error| no_estimate(&on_mesh, error))?;
+    let space = sight.changes(seen_of_base, &seen_on_finer, |_| true);
+
+    let directions = [&own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
+    if directions > 0 {
+        return Err(Error::Unstable { directions });
+    }
+    sight.judge(&seen, &time, &space)?;
+    let worst = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
+    let pairs = [(&seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
+    let at_rows = pairs.map(|(own, finer)| worst(sight.changes(own, finer, |is_row| is_row))).iter().sum();
+    let [time, space] = [time, space].map(worst);
+    let when = sight.when();
+    let estimate = |value, method: &str| {
+        let method = format!(
+            "{SAFETY} × the largest change of a position, {when}, by {method}; velocities, reactions and energies are not estimated"
+        );
+        Some(Estimate { value, unit: "m", method })
+    };
+    own.accuracy = Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh), at_rows: Some(at_rows) };
+    Ok(own)
+}
+
+fn no_estimate(what: &str, error: Error) -> Error {
+    Error::NoEstimate { what: what.into(), reason: error.to_string() }
+}
+
+/// The scene with its steps made finer, its run and what is seen of it, and in words how.
+fn finer_in_time(sight: &Sight, own: &Run) -> Result<(Scene, Run, Seen, String)> {
+    let scene = sight.scene;
+    let mut finer = scene.clone();
+    let how = match scene.time.method {
+        Method::Static => {
+            finer.time.load_steps *= 2;
+            "twice the load steps".into()
+        }
+        method if method.is_adaptive() => {
+            divide(&mut finer, 2);
+            finer.time.tolerance /= 10.0;
+            // Where the tolerance asks for less than the longest step it is the step that decides.
+            "a tenth of the tolerance and half the longest step".into()
+        }
+        _ => {
+            let parts = parts(scene)?;
+            divide(&mut finer, parts);
+            if parts == 2 { "half the step".into() } else { format!("1/{parts} of the step") }
+        }
+    };
+    let (mut run_of_it, mut seen, how) = with_finer_newton(sight, &mut finer, how)?;
+    // Where rows and corners of histories are closer than half the longest step, all steps would be the same.
+    for _ in 0..HALVINGS {
+        if !scene.time.method.is_adaptive() || run_of_it.counts.steps as f64 >= MORE * own.counts.steps as f64 {
+            break;
+        }
+        divide(&mut finer, 2);
+        (run_of_it, seen) = sight.run(&finer).map_err(|error| no_estimate(&how, error))?;
+    }
+    Ok((finer, run_of_it, seen, how))
+}
+
+/// Runs the scene with a tenth of Newton's tolerance; with its own where rounding leaves no less.
+fn with_finer_newton(sight: &Sight, finer: &mut Scene, how: String) -> Result<(Run, Seen, String)> {
+    let tolerance = finer.time.newton_tolerance;
+    // Steps of any length end their iteration alike.
+    if !finer.time.method.is_explicit() && tolerance > LEAST_TOLERANCE {
+        finer.time.newton_tolerance = (tolerance / 10.0).max(LEAST_TOLERANCE);
+        let how = format!("{how}, a tenth of Newton's tolerance");
+        match sight.run(finer) {
+            Err(Error::NewtonFailed { at_rounding: true, .. }) => finer.time.newton_tolerance = tolerance,
+            Err(error) => return Err(no_estimate(&how, error)),
+            Ok((run, seen)) => return Ok((run, seen, how)),
+        }
+    }
+    let (run, seen) = sight.run(finer).map_err(|error| no_estimate(&how, error))?;
+    Ok((run, seen, how))
+}
+
+/// In how many parts a step has to be divided until no history comes and goes within one.
+fn parts(scene: &Scene) -> Result<usize> {
+    let step = scene.time.step;
+    let sees_all = |parts: &usize| missed(scene, step / *parts as f64).is_none();
+    (2..=MOST_PARTS).find(sees_all).ok_or_else(|| {
+        let short = missed(scene, step / MOST_PARTS as f64).map_or(String::new(), |short| {
+            format!(
+                "{} rises and falls within less than that, in as little as {:.1e} s; a smaller `time.step` helps, or a method that \
+                 chooses its steps",
+                short.what, short.length
+            )
+        });
+        Error::NoEstimate { what: format!("1/{MOST_PARTS} of the step"), reason: short }
+    })
+}
+
+/// Divides the step and leaves the rows.
+fn divide(scene: &mut Scene, parts: usize) {
+    scene.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
+    scene.time.step /= parts as f64;
+}
+
+/// The scene with a step that its explicit method takes.
+fn stable(mut scene: Scene) -> Result<Scene> {
+    let plan = Plan::of(&scene);
+    scene.validate("the finer mesh")?;
+    let structure = Structure::planned(&scene, &plan)?;
+    let state = State::at_start(&structure);
+    if let Err(Error::StepTooLarge { step, largest, .. }) =
+        integrator(&scene, &plan, &structure, &state, &mut Default::default())
+    {
+        divide(&mut scene, (step / largest).ceil() as usize);
+    }
+    Ok(scene)
+}

@@ -1,0 +1,212 @@
+//! What the runs of an estimate are compared at: which places, and when.
+
+use std::collections::BTreeSet;
+
+use nalgebra::DVector;
+
+use crate::error::{Error, Result};
+use crate::model::plan::Plan;
+use crate::model::{Method, Quantity, Rod, Scene};
+use crate::run::{Run, mass, moves, run_seen};
+use crate::structure::Structure;
+
+/// A halved step, or element, at least halves the error: what is left is as much as what has changed.
+pub(super) const SAFETY: f64 = 2.0;
+
+/// A result whose estimated error is more than this part of its motion has no digit that is sure.
+const NO_DIGIT: f64 = 0.1;
+
+/// Motion of a place, of the structure's size, that is too small to judge it by.
+const HARDLY: f64 = 1e-6;
+
+/// Most vectors of places in all instants of a run, which are kept in memory: 32 MB.
+const MOST_SEEN: usize = 2_000_000;
+
+/// What is looked at in all runs of an estimate, and when.
+pub(super) struct Sight<'a> {
+    /// That of the run itself.
+    pub(super) scene: &'a Scene,
+    places: Vec<Place>,
+    /// Steps of the run itself from one look to the next; rows are looked at, too.
+    every: usize,
+}
+
+/// What is compared: a position, or a deflection.
+struct Place {
+    of: Of,
+    /// Velocity at the start of the centre of its part of the structure, m/s.
+    velocity: [f64; 2],
+}
+
+enum Of {
+    Point(String),
+    /// A rod's deflection at a part of its length.
+    Rod(String, f64),
+}
+
+/// What was seen of a run.
+#[derive(Default)]
+pub(super) struct Seen {
+    /// Times of the instants, s.
+    times: Vec<f64>,
+    /// Whether they are rows of the run itself.
+    rows: Vec<bool>,
+    /// All places at the first instant, at the second, …, m; a deflection has one component.
+    places: Vec<[f64; 2]>,
+}
+
+impl Seen {
+    /// A place at all instants.
+    fn of(&self, place: usize) -> impl Iterator<Item = [f64; 2]> {
+        self.places.iter().copied().skip(place).step_by((self.places.len() / self.times.len().max(1)).max(1))
+    }
+}
+
+impl Place {
+    fn name(&self) -> String {
+        match &self.of {
+            Of::Point(name) => format!("position of `{name}`"),
+            Of::Rod(name, _) => format!("deflection of the rod `{name}`"),
+        }
+    }
+
+    fn at(&self, structure: &Structure, u: &DVector<f64>) -> [f64; 2] {
+        match &self.of {
+            Of::Point(name) => structure.position(name, u),
+            Of::Rod(name, at) => [structure.deflection(name, *at, u), 0.0],
+        }
+    }
+}
+
+impl Sight<'_> {
+    /// All points, deflections that probes ask for, and those of rods that are held at both ends, of which points say nothing.
+    pub(super) fn of(scene: &Scene) -> Sight<'_> {
+        let point =
+            |name: &String| Place { of: Of::Point(name.clone()), velocity: drift(scene, name).unwrap_or_default() };
+        let rod = |name: &String, at: f64| Place { of: Of::Rod(name.clone(), at), velocity: [0.0; 2] };
+        let pivots: BTreeSet<&String> = scene.rods.iter().filter_map(|rod| rod.pivot.as_ref()).collect();
+        let points = scene.points.keys().chain(pivots).map(point);
+        let bends = scene.probes.iter().filter(|probe| probe.of.contains(&Quantity::Deflection));
+        let probed = bends.filter_map(|probe| Some(rod(probe.rod.as_ref()?, probe.at?)));
+        let is_held = |point: &String| {
+            let supports = scene.supports.iter().filter(|support| support.point == *point);
+            supports.map(|support| support.held().len()).sum::<usize>() > 1
+        };
+        let held = scene.rods.iter().filter(|rod| is_held(&rod.from) && is_held(&rod.to));
+        // A bow, and a wave with a node in the middle.
+        let bows = held.flat_map(|held| [0.5, 0.25].map(|at| rod(&held.name, at)));
+        let places: Vec<Place> = points.chain(probed).chain(bows).collect();
+
+        let every = (scene.steps() * places.len()).div_ceil(MOST_SEEN).max(1);
+        Sight { scene, places, every }
+    }
+
+    pub(super) fn run(&self, scene: &Scene) -> Result<(Run, Seen)> {
+        self.run_with_progress(scene, |_| ())
+    }
+
+    /// A run of the scene, or of a finer one, which makes several steps in one.
+    pub(super) fn run_with_progress(&self, scene: &Scene, on_step: impl FnMut(usize)) -> Result<(Run, Seen)> {
+        let parts = (scene.steps() / self.scene.steps()).max(1);
+        let looks_at = |step: usize| step.is_multiple_of(self.every) || self.scene.is_row(step);
+        let mut seen = Seen::default();
+        let run = run_seen(scene, &Plan::of(scene), on_step, |step, structure, state| {
+            if step.is_multiple_of(parts) && looks_at(step / parts) {
+                seen.times.push(state.t);
+                seen.rows.push(self.scene.is_row(step / parts));
+                seen.places.extend(self.places.iter().map(|place| place.at(structure, &state.u)));
+            }
+        })?;
+        Ok((run, seen))
+    }
+
+    /// When it looks, in words.
+    pub(super) fn when(&self) -> String {
+        match (self.scene.time.method, self.every) {
+            (Method::Static, 1) => "compared after each load step".into(),
+            (method, 1) if method.is_adaptive() => "compared at the rows".into(),
+            (_, 1) => "compared after each step".into(),
+            (_, every) => format!("compared after every {every} steps and at the rows"),
+        }
+    }
+
+    /// Estimated errors of the places: twice the largest distance of two runs, at instants that count as rows or others do; not a number
+    /// where one of them is not.
+    pub(super) fn changes(&self, own: &Seen, finer: &Seen, counts: impl Fn(bool) -> bool) -> Vec<f64> {
+        if own.times.len() != finer.times.len() {
+            return vec![f64::NAN; self.places.len()];
+        }
+        let apart = |([x, y], [other_x, other_y]): ([f64; 2], [f64; 2])| (x - other_x).hypot(y - other_y);
+        let change = |place: usize| {
+            let pairs = own.of(place).zip(finer.of(place)).zip(&own.rows);
+            SAFETY * largest(pairs.filter(|(_, is_row)| counts(**is_row)).map(|(pair, _)| apart(pair)))
+        };
+        (0..self.places.len()).map(change).collect()
+    }
+
+    /// Refuses errors that leave no digit of a place's motion sure.
+    ///
+    /// # Errors
+    /// [`Error::Inaccurate`] of the worst place.
+    pub(super) fn judge(&self, seen: &Seen, time: &[f64], space: &[f64]) -> Result<()> {
+        // From the start, or from where it would be without loads.
+        let way = |place: usize, coasts: f64| {
+            let [x_0, y_0] = seen.of(place).next().unwrap_or_default();
+            let [v_x, v_y] = self.places[place].velocity.map(|velocity| coasts * velocity);
+            let gone = |([x, y], t): ([f64; 2], &f64)| (x - x_0 - t * v_x).hypot(y - y_0 - t * v_y);
+            largest(seen.of(place).zip(&seen.times).map(gone))
+        };
+        let farthest = largest((0..self.places.len()).map(|place| way(place, 0.0)));
+        let (size, resting) = (self.scene.size(), !moves(self.scene));
+        let judged = |((place, time), space): ((usize, &f64), &f64)| {
+            let own = way(place, 0.0).min(way(place, 1.0));
+            // Where nothing moves the structure there is no motion to compare with.
+            let moved = if resting {
+                farthest.max(size)
+            } else if own >= HARDLY * size {
+                own
+            } else {
+                farthest
+            };
+            // A NaN is not small.
+            let small = time + space <= NO_DIGIT * moved;
+            let name = || self.places[place].name();
+            (!small).then(|| Error::Inaccurate { place: name(), time: *time, space: *space, moved })
+        };
+        let share = |error: &Error| match error {
+            Error::Inaccurate { time, space, moved, .. } => (time + space) / moved,
+            _ => 0.0,
+        };
+        let bad = (0..self.places.len()).zip(time).zip(space).filter_map(judged);
+        bad.max_by(|a, b| share(a).total_cmp(&share(b))).map_or(Ok(()), Err)
+    }
+}
+
+/// Velocity at the start of the centre of the rods that hang together with a point; `None` where nothing moves.
+fn drift(scene: &Scene, point: &String) -> Option<[f64; 2]> {
+    let motion = scene.motion.as_ref()?;
+    let mut points = BTreeSet::from([point]);
+    let hangs = |points: &BTreeSet<&String>, rod: &Rod| ends(rod).any(|point| points.contains(point));
+    // As many rounds as the longest chain of rods has.
+    for _ in &scene.rods {
+        let more: Vec<&String> = scene.rods.iter().filter(|rod| hangs(&points, rod)).flat_map(ends).collect();
+        points.extend(more);
+    }
+    let (mut momentum, mut whole) = ([0.0; 2], 0.0);
+    for rod in scene.rods.iter().filter(|rod| hangs(&points, rod)) {
+        let (mass, [x, y]) = (mass(scene, rod), motion.at(scene.middle(rod)?));
+        momentum = [momentum[0] + mass * x, momentum[1] + mass * y];
+        whole += mass;
+    }
+    Some(momentum.map(|component| component / whole))
+}
+
+/// Points of a rod.
+fn ends(rod: &Rod) -> impl Iterator<Item = &String> {
+    [&rod.from, &rod.to].into_iter().chain(&rod.pivot)
+}
+
+/// In the total order NaN is the largest, and is not lost.
+fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
+    sizes.max_by(f64::total_cmp).unwrap_or(f64::NAN)
+}

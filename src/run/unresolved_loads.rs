@@ -1,0 +1,115 @@
+//! Loads between the steps: what comes and goes within a step is seen by none of its ends.
+//!
+//! A history is cut into stretches on which it rises, falls or stays. A ramp shorter than a step is seen afterwards by what it has
+//! led to; a second short stretch beside it may take that back before a step ends. Methods of fixed steps then miss a pulse
+//! altogether, and take a fast wave for a constant load. So they may where stretches are as long as a step and turn within steps: a wave
+//! half a step out of phase is zero at each end. Methods that choose their steps make one end at each corner that times tell apart.
+
+use crate::integrators::same_time;
+use crate::model::{Method, Scene, Start, interpolate, times_of};
+
+/// Lengths that differ by less than this part of a step are as long as it: what times lose in writing.
+const ROUNDED: f64 = 1e-6;
+
+/// A corner nearer to the end of a step, in steps, is seen by it: what a scene's times may be off by.
+const AT_END: f64 = 1e-3;
+
+/// A stretch of a history that steps may miss.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Short {
+    /// Which history.
+    pub what: String,
+    /// Length of the shortest of such stretches of it, s.
+    pub length: f64,
+}
+
+/// The history with the shortest stretch that steps of a length (s) may miss; `None` where they miss none. Methods that choose their steps
+/// miss what is within the rounding of times.
+pub fn missed(scene: &Scene, step: f64) -> Option<Short> {
+    let step = match scene.time.method {
+        Method::Static => return None,
+        method if method.is_adaptive() => same_time(scene.time.end),
+        _ => step,
+    };
+    let forces = scene.forces.iter().filter_map(|force| {
+        let history = force.history.as_deref()?;
+        Some((format!("the force at `{}`", force.point), history, false))
+    });
+    let heats = scene.rods.iter().filter_map(|rod| {
+        let heat = scene.heat(rod)?;
+        Some((
+            format!("the temperature of the rod `{}`", rod.name),
+            heat.history.as_slice(),
+            heat.start == Start::Relaxed,
+        ))
+    });
+    let short = forces.chain(heats).filter_map(|(what, history, relaxed)| {
+        let turns = turns(history, scene.time.end, relaxed);
+        let pairs = turns.windows(3).filter(|turns| is_missed(turns, step));
+        // The jump at the start has no length.
+        let length = pairs.flat_map(lengths).filter(|length| *length > 0.0).reduce(f64::min)?;
+        Some(Short { what, length })
+    });
+    short.min_by(|a, b| a.length.total_cmp(&b.length))
+}
+
+/// Whether two stretches beside one another, between these times, come and go unseen.
+fn is_missed(turns: &[f64], step: f64) -> bool {
+    let all_below = |share: f64| lengths(turns).all(|length| length < share * step);
+    let within = |t: &f64| (t / step - (t / step).round()).abs() > AT_END;
+    all_below(1.0 - ROUNDED) || all_below(1.0 + ROUNDED) && turns.iter().any(within)
+}
+
+fn lengths(turns: &[f64]) -> impl Iterator<Item = f64> {
+    turns.windows(2).map(|ends| ends[1] - ends[0])
+}
+
+/// Times between which a history rises, falls or stays, from the start to the end, s. What is there at the start has come within no time,
+/// but for the heat of a relaxed start.
+fn turns(history: &[[f64; 2]], end: f64, relaxed: bool) -> Vec<f64> {
+    let value = |t: f64| interpolate(history, t).unwrap_or(0.0);
+    let times = times_of([history], end);
+    let jump = if relaxed { 0.0 } else { value(0.0) };
+    let changes = times.windows(2).map(|ends| (value(ends[1]) - value(ends[0]), ends[1]));
+    let (mut turns, mut before) = (vec![0.0], None);
+    for (change, t) in [(jump, 0.0)].into_iter().filter(|(jump, _)| *jump != 0.0).chain(changes) {
+        let way = change.partial_cmp(&0.0);
+        match turns.last_mut() {
+            Some(last) if before == Some(way) => *last = t,
+            _ => turns.push(t),
+        }
+        before = Some(way);
+    }
+    turns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{is_missed, lengths, turns};
+
+    #[test]
+    fn histories_are_cut_where_they_turn() {
+        let stretches =
+            |history: &[[f64; 2]], relaxed| -> Vec<f64> { lengths(&turns(history, 1.0, relaxed)).collect() };
+        let cut = |history: &[[f64; 2]]| stretches(history, false);
+        assert_eq!(cut(&[[0.25, 0.0], [0.5, 1.0], [0.75, 0.0]]), [0.25, 0.25, 0.25, 0.25]);
+        // What goes on rising is one stretch; what is after the end is none.
+        assert_eq!(cut(&[[0.25, 0.0], [0.5, 1.0], [0.75, 3.0], [2.0, 8.0], [3.0, 0.0]]), [0.25, 0.75]);
+        assert_eq!(cut(&[[0.0, 1.0], [0.25, 0.0]]), [0.0, 0.25, 0.75]);
+        assert_eq!(stretches(&[[0.0, 1.0], [0.25, 0.0]], true), [0.25, 0.75]);
+        // A load that grows from the start on.
+        assert_eq!(cut(&[[0.0, 0.0], [0.25, 1.0]]), [0.25, 0.75]);
+        assert_eq!(cut(&[[0.0, 1.0], [0.25, 2.0]]), [0.25, 0.75]);
+    }
+
+    #[test]
+    fn stretches_of_a_step_are_missed_between_its_ends_only() {
+        assert!(is_missed(&[0.5, 1.5, 2.5], 1.0) && !is_missed(&[1.0, 2.0, 3.0], 1.0));
+        // As written with few digits, and after many steps.
+        assert!(is_missed(&[0.5, 1.500_000_1, 2.5], 1.0) && !is_missed(&[1e6 + 1e-4, 1e6 + 1.0, 1e6 + 2.0], 1.0));
+        assert!(!is_missed(&[0.5, 1.5, 2.6], 1.0));
+        // Gone before the step ends, although it turns at the end of one.
+        assert!(is_missed(&[1.0, 1.0005, 1.001], 1.0) && is_missed(&[0.0, 0.0, 0.5], 1.0));
+        assert!(!is_missed(&[0.0, 0.0, 1.0], 1.0));
+    }
+}

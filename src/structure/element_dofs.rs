@@ -1,0 +1,82 @@
+//! Where an element is among the unknowns.
+
+use nalgebra::{DVector, Rotation2, SMatrix, SVector};
+
+use super::node_dofs::Components;
+use crate::elements::{Ends, LANES};
+use crate::linear::NONE;
+
+/// Where an element's coordinates are among the unknowns.
+#[derive(Clone, Debug)]
+pub(super) struct Place<const N: usize> {
+    /// [`NONE`] for those that are held.
+    pub unknowns: [u32; N],
+    /// Nodal vectors in axes of their own.
+    pub turns: Vec<(usize, Rotation2<f64>)>,
+}
+
+impl<const N: usize> Place<N> {
+    pub fn of(vectors: &[Components]) -> Place<N> {
+        let unknown = |i: usize| vectors[i / 2].unknowns[i % 2].map_or(NONE, |unknown| unknown as u32);
+        let turns = vectors.iter().enumerate().filter_map(|(n, vector)| Some((n, vector.turn?)));
+        Place { unknowns: std::array::from_fn(unknown), turns: turns.collect() }
+    }
+
+    /// The element's coordinates from a vector of unknowns, in global axes.
+    #[inline(always)]
+    pub fn gather(&self, u: &DVector<f64>) -> SVector<f64, N> {
+        let u = u.as_slice();
+        let value = |i: usize| u.get(self.unknowns[i] as usize).copied().unwrap_or(0.0);
+        let mut gathered = SVector::<f64, N>::from_fn(|i, _| value(i));
+        for (n, turn) in &self.turns {
+            let own = gathered.fixed_rows::<2>(2 * n).into_owned();
+            gathered.fixed_rows_mut::<2>(2 * n).copy_from(&(turn * own));
+        }
+        gathered
+    }
+
+    /// Adds the element's force to the unknowns'.
+    #[inline(always)]
+    pub fn scatter(&self, mut force: SVector<f64, N>, sum: &mut DVector<f64>) {
+        for (n, turn) in &self.turns {
+            let own = turn.inverse() * force.fixed_rows::<2>(2 * n);
+            force.fixed_rows_mut::<2>(2 * n).copy_from(&own);
+        }
+        let sum = sum.as_mut_slice();
+        for (unknown, value) in self.unknowns.iter().zip(&force) {
+            if let Some(sum) = sum.get_mut(*unknown as usize) {
+                *sum += value;
+            }
+        }
+    }
+
+    /// The element's matrix in its nodal vectors' own axes.
+    pub fn turned(&self, mut matrix: SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
+        for (n, turn) in &self.turns {
+            let rows = turn.inverse() * matrix.fixed_rows::<2>(2 * n);
+            matrix.fixed_rows_mut::<2>(2 * n).copy_from(&rows);
+            let columns = matrix.fixed_columns::<2>(2 * n) * turn;
+            matrix.fixed_columns_mut::<2>(2 * n).copy_from(&columns);
+        }
+        matrix
+    }
+
+    /// A function of both ends of a step for this element.
+    #[inline(always)]
+    pub fn over<T>(&self, ends: &Ends<DVector<f64>>, f: impl Fn(&Ends<SVector<f64, N>>) -> T) -> T {
+        let (u_0, u_1) = (self.gather(ends.u_0), self.gather(ends.u_1));
+        f(&Ends { u_0: &u_0, u_1: &u_1, thermal_0: ends.thermal_0, thermal_1: ends.thermal_1 })
+    }
+}
+
+/// Coordinates of up to [`LANES`] elements; where there are fewer the rest is at rest.
+#[inline(always)]
+pub(super) fn gather<const N: usize>(places: &[Place<N>], u: &DVector<f64>) -> [SVector<f64, N>; LANES] {
+    std::array::from_fn(|lane| places.get(lane).map_or(SVector::zeros(), |place| place.gather(u)))
+}
+
+/// Adds their forces to the unknowns'.
+#[inline(always)]
+pub(super) fn scatter<const N: usize>(places: &[Place<N>], forces: [SVector<f64, N>; LANES], sum: &mut DVector<f64>) {
+    places.iter().zip(forces).for_each(|(place, force)| place.scatter(force, sum));
+}

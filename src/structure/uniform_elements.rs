@@ -1,0 +1,243 @@
+//! A rod's elements, all equal. The rod's chain of nodal vectors ([`Components`]) says which unknowns each has, and is looked at
+//! once, when these are numbered.
+
+use std::fmt::Debug;
+
+use nalgebra::{Complex, DVector, SMatrix, SVector, Vector2};
+
+use super::element_dofs::{Place, gather, scatter};
+use super::node_dofs::Components;
+use super::rod_elements::{ElementMatrix, Loaded, Mesh};
+use crate::elements::{Beam, Ends, LANES, NodalVector, ThermalStrain};
+use crate::linear::{Chain, Elements, Filling, NONE};
+
+/// Equal elements of one kind with `N` nodal coordinates.
+#[derive(Clone, Debug)]
+pub(super) struct Equal<B, const N: usize> {
+    pub beam: B,
+    /// From node i to node k of an element, m.
+    pub along: Vector2<f64>,
+    pub mass: SMatrix<f64, N, N>,
+    pub gravity: SVector<f64, N>,
+    pub unit_force: f64,
+    /// There once unknowns are numbered.
+    pub places: Vec<Place<N>>,
+}
+
+impl<B: Beam<N>, const N: usize> Equal<B, N> {
+    /// Nodal vectors from an element to the next.
+    const STRIDE: usize = N / 2 - 2;
+
+    /// An element's displacement under stretches less 1, node i at rest.
+    fn stretched(&self, stretch: [f64; 2]) -> SVector<f64, N> {
+        let mut u = SVector::<f64, N>::zeros();
+        for (n, &vector) in B::VECTORS.iter().enumerate() {
+            u.fixed_rows_mut::<2>(2 * n).copy_from(&stretched(vector, stretch, Vector2::zeros(), self.along));
+        }
+        u
+    }
+
+    /// An element's matrix, by columns.
+    fn element_matrix(&self, place: &Place<N>, matrix: &ElementMatrix, columns: &mut [f64]) {
+        let mut put = |stiffness: f64, tangent: &SMatrix<f64, N, N>, mass: f64| {
+            for ((entry, tangent), own) in columns.iter_mut().zip(tangent.as_slice()).zip(self.mass.as_slice()) {
+                *entry = tangent * stiffness + own * mass;
+            }
+        };
+        match *matrix {
+            ElementMatrix::Mass => columns.copy_from_slice(self.mass.as_slice()),
+            ElementMatrix::Tangent { u, eps_t, stiffness, mass } => {
+                put(stiffness, &self.beam.tangent(&place.gather(u), eps_t), mass);
+            }
+            ElementMatrix::Stretched { stretch, eps_t, stiffness, mass } => {
+                put(stiffness, &self.beam.tangent(&self.stretched(stretch), eps_t), mass);
+            }
+            ElementMatrix::Mixed { before, u, eps_t } => {
+                put(1.0, &self.beam.mixed_tangent(&place.gather(before), &place.gather(u), eps_t), 0.0);
+            }
+            ElementMatrix::Mean { ref ends, mass } => {
+                put(1.0, &place.over(ends, |ends| self.beam.mean_tangent(ends)), mass);
+            }
+        }
+        if !place.turns.is_empty() {
+            let turned = place.turned(SMatrix::from_column_slice(columns));
+            columns.copy_from_slice(turned.as_slice());
+        }
+    }
+
+    /// M a. The matrix treats x and y alike, and couples neither with the other: half of it is zero.
+    #[inline(always)]
+    fn momentum(&self, a: &SVector<f64, N>) -> SVector<f64, N> {
+        let (mut sum, a) = (SVector::<f64, N>::zeros(), a.as_slice().as_chunks::<2>().0);
+        let sums = sum.as_mut_slice().as_chunks_mut::<2>().0;
+        for (column, a) in a.iter().enumerate() {
+            for (row, sum) in sums.iter_mut().enumerate() {
+                let mass = self.mass[(2 * row, 2 * column)];
+                sum[0] += mass * a[0];
+                sum[1] += mass * a[1];
+            }
+        }
+        sum
+    }
+
+    fn unknowns(&self) -> impl Iterator<Item = [u32; N]> {
+        self.places.iter().map(|place| place.unknowns)
+    }
+}
+
+impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
+    fn vectors(&self) -> &'static [NodalVector] {
+        B::VECTORS
+    }
+
+    fn unit_force(&self) -> f64 {
+        self.unit_force
+    }
+
+    fn rounded(&self) -> f64 {
+        B::ROUNDED
+    }
+
+    fn stress_free(&self, eps_t: ThermalStrain) -> [f64; 2] {
+        B::stress_free(eps_t)
+    }
+
+    fn number(&mut self, chain: &[Components]) {
+        self.places = chain.windows(N / 2).step_by(Self::STRIDE).map(Place::of).collect();
+    }
+
+    fn chain(&self, border: usize) -> Box<dyn Chain<f64>> {
+        Box::new(Elements::<f64, N>::new(self.unknowns(), border))
+    }
+
+    fn complex_chain(&self, border: usize) -> Box<dyn Chain<Complex<f64>>> {
+        Box::new(Elements::<Complex<f64>, N>::new(self.unknowns(), border))
+    }
+
+    fn bytes_each(&self) -> usize {
+        Elements::<f64, N>::bytes_each()
+    }
+
+    fn axis(&self, place: f64, u: &DVector<f64>) -> Vector2<f64> {
+        let element = (place.floor() as usize).min(self.places.len() - 1);
+        B::axis(place - element as f64, &self.places[element].gather(u), self.along.norm())
+    }
+
+    fn mass(&self, row: usize, column: usize) -> f64 {
+        self.mass[(2 * row, 2 * column)]
+    }
+
+    fn add_inertia(&self, a: &DVector<f64>, sum: &mut DVector<f64>) {
+        for place in &self.places {
+            place.scatter(self.momentum(&place.gather(a)), sum);
+        }
+    }
+
+    fn add_gravity(&self, sum: &mut DVector<f64>) {
+        for place in &self.places {
+            place.scatter(self.gravity, sum);
+        }
+    }
+
+    fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, sum: &mut DVector<f64>) {
+        for places in self.places.chunks(LANES) {
+            if let [place] = places {
+                place.scatter(self.beam.force(&place.gather(u), eps_t), sum);
+            } else {
+                scatter(places, self.beam.forces(&gather(places, u), eps_t), sum);
+            }
+        }
+    }
+
+    fn add_mean_force(&self, ends: &Ends<DVector<f64>>, sum: &mut DVector<f64>) {
+        let &Ends { thermal_0, thermal_1, .. } = ends;
+        for places in self.places.chunks(LANES) {
+            if let [place] = places {
+                place.scatter(place.over(ends, |ends| self.beam.mean_force(ends)), sum);
+            } else {
+                let (u_0, u_1) = (gather(places, ends.u_0), gather(places, ends.u_1));
+                let ends = Ends { u_0: &u_0, u_1: &u_1, thermal_0, thermal_1 };
+                scatter(places, self.beam.mean_forces(&ends), sum);
+            }
+        }
+    }
+
+    fn matrix(&self, element: usize, matrix: &ElementMatrix, columns: &mut [f64]) {
+        self.element_matrix(&self.places[element], matrix, columns);
+    }
+
+    fn add_matrix(&self, matrix: &ElementMatrix, block: &mut Filling) {
+        for place in &self.places {
+            let unknowns = place.unknowns.map(|unknown| (unknown != NONE).then_some(unknown as usize));
+            let mut dense = SMatrix::<f64, N, N>::zeros();
+            self.element_matrix(place, matrix, dense.as_mut_slice());
+            block.add_dense(unknowns, &dense);
+        }
+    }
+
+    fn force_at(&self, vector: usize, now: &Loaded) -> Vector2<f64> {
+        let touching = self.places.iter().enumerate().filter_map(|(element, place)| {
+            let own = vector.checked_sub(element * Self::STRIDE).filter(|own| *own < N / 2)?;
+            let (u, a) = (place.gather(now.u), place.gather(now.a));
+            let force = self.mass * a + self.beam.force(&u, now.eps_t) - now.weight * self.gravity;
+            Some(force.fixed_rows::<2>(2 * own).into_owned())
+        });
+        touching.sum()
+    }
+
+    fn collapsed(&self, before: &DVector<f64>, u: &DVector<f64>) -> Option<usize> {
+        let left = |place: &Place<N>| self.beam.left(&place.gather(before), &place.gather(u));
+        // A NaN is not over 0.
+        self.places.iter().position(|place| left(place).partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater))
+    }
+
+    fn energy(&self, u: &DVector<f64>, eps_t: ThermalStrain) -> f64 {
+        self.places.iter().map(|place| self.beam.energy(&place.gather(u), eps_t)).sum()
+    }
+
+    fn heating_work(&self, ends: &Ends<DVector<f64>>) -> f64 {
+        self.places.iter().map(|place| place.over(ends, |ends| self.beam.heating_work(ends))).sum()
+    }
+
+    fn largest_square_frequency(&self, stretch: [f64; 2], eps_t: ThermalStrain) -> f64 {
+        let size = |matrix: &SMatrix<f64, N, N>| nalgebra::DMatrix::from_column_slice(N, N, matrix.as_slice());
+        let (stiffness, mass) = (size(&self.beam.tangent(&self.stretched(stretch), eps_t)), size(&self.mass));
+        // With M = L Lᵀ the largest eigenvalue of L⁻¹ K L⁻ᵀ.
+        let reduced = mass.cholesky().and_then(|cholesky| {
+            let lower = cholesky.l();
+            let half = lower.solve_lower_triangular(&stiffness)?;
+            lower.solve_lower_triangular(&half.transpose())
+        });
+        reduced.map_or(f64::NAN, |matrix| matrix.symmetric_eigenvalues().max())
+    }
+
+    fn add_stretched_stiffness(
+        &self,
+        stretch: [f64; 2],
+        eps_t: ThermalStrain,
+        x: &DVector<f64>,
+        sum: &mut DVector<f64>,
+    ) {
+        let tangent = self.beam.tangent(&self.stretched(stretch), eps_t);
+        for place in &self.places {
+            place.scatter(tangent * place.gather(x), sum);
+        }
+    }
+}
+
+/// What a nodal vector changes by under stretches less 1 (along, across) of an element that spans `along`, its node i at
+/// `origin` from the fixed point.
+pub(super) fn stretched(
+    (meaning, at): NodalVector,
+    [stretch, thicken]: [f64; 2],
+    origin: Vector2<f64>,
+    along: Vector2<f64>,
+) -> Vector2<f64> {
+    use crate::elements::Meaning::{Position, SlopeX, SlopeY};
+    let t = along.normalize();
+    match meaning {
+        Position => stretch * (origin + at * along),
+        SlopeX => stretch * t,
+        SlopeY => thicken * Vector2::new(-t.y, t.x),
+    }
+}

@@ -1,0 +1,91 @@
+//! What can go wrong in a study.
+
+use std::path::PathBuf;
+
+/// Result with this crate's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Everything that can go wrong in a study, beside the runs themselves.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A run of the study failed.
+    #[error(transparent)]
+    Run(#[from] ancf::error::Error),
+    /// A file could not be read.
+    #[error("cannot read {path}: {source}")]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// A file could not be written.
+    #[error("cannot write {path}: {source}")]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// The system's reason.
+        source: std::io::Error,
+    },
+    /// No scene or case of the study has that name.
+    #[error("{file}: `{key}` is {value}; allowed: {allowed}")]
+    Name {
+        /// The study.
+        file: String,
+        /// What was to be named.
+        key: String,
+        /// The name that is unknown.
+        value: String,
+        /// The known names.
+        allowed: String,
+    },
+    /// An embedded fixture is not what the study expects.
+    #[error("the embedded fixture {name} cannot be used: {reason}")]
+    Fixture {
+        /// Its file name.
+        name: &'static str,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A picture could not be drawn.
+    #[error("cannot draw \"{title}\": {reason}")]
+    Picture {
+        /// The picture's title.
+        title: String,
+        /// The drawing library's reason.
+        reason: String,
+    },
+    /// A table that was read holds something that is not allowed there.
+    #[error("{file}:{line}: `{column}` is {value}; allowed: {allowed}")]
+    Table {
+        /// The file.
+        file: String,
+        /// Line number, counted from 1; the heading is line 1.
+        line: u64,
+        /// Name of the column.
+        column: String,
+        /// The offending value as it was written.
+        value: String,
+        /// What would have been accepted.
+        allowed: String,
+    },
+    /// A result is further from its reference than its bound.
+    #[error("{count} comparison(s) with the reference failed; the first: {first}")]
+    Comparison {
+        /// How many failed.
+        count: usize,
+        /// The first, with its numbers.
+        first: String,
+    },
+}
+
+impl Error {
+    /// Whether the input is to blame, and not a run.
+    pub fn is_bad_input(&self) -> bool {
+        match self {
+            Error::Run(error) => error.is_bad_input(),
+            Error::Name { .. } | Error::Table { .. } | Error::Read { .. } => true,
+            _ => false,
+        }
+    }
+}

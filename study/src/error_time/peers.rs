@@ -1,0 +1,257 @@
+//! Another program's runs of our scenes, as `python -m oracle.peers` writes them, and how far they are from our reference.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::case::{CASES, Case};
+use super::point::{Point, Status};
+use super::reference::Reference;
+use super::samples::Samples;
+use super::timing::Timing;
+use crate::error::{Error, Result};
+use ancf::integrators::counts::Counts;
+
+/// The command that writes the file.
+pub const COMMAND: &str = "python -m oracle.peers";
+
+/// The columns, in any order; others are not looked at.
+pub const COLUMNS: [&str; 23] = [
+    "scene",
+    "program",
+    "version",
+    "element",
+    "method",
+    "elements",
+    "step",
+    "newton_tolerance",
+    "modified_newton",
+    "linear_solver",
+    "status",
+    "reason",
+    "runs",
+    "time_median_s",
+    "time_min_s",
+    "time_max_s",
+    "steps",
+    "newton_iterations",
+    "jacobians",
+    "probe",
+    "t",
+    "x",
+    "y",
+];
+
+/// A row of the file.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Peer {
+    /// Our scene.
+    #[serde(skip)]
+    pub case: &'static Case,
+    /// Everything but the errors.
+    pub point: Point,
+    /// What the program was told: tolerance of Newton's iteration, linear solver.
+    pub options: String,
+    /// Positions at our sample times; `None` if it failed.
+    pub samples: Option<Samples>,
+}
+
+/// One line of the file.
+struct Line<'a> {
+    file: &'a str,
+    number: u64,
+    fields: BTreeMap<&'static str, String>,
+}
+
+/// Reads the file.
+///
+/// # Errors
+/// [`Error::Read`]; [`Error::Table`] with line, column, value and what is allowed there.
+pub fn read(path: &Path) -> Result<Vec<Peer>> {
+    let text = fs::read_to_string(path).map_err(|source| Error::Read { path: path.into(), source })?;
+    parse(&path.display().to_string(), &text)
+}
+
+/// Reads the file's text.
+///
+/// # Errors
+/// [`Error::Table`].
+pub fn parse(file: &str, text: &str) -> Result<Vec<Peer>> {
+    let malformed = |error: csv::Error| {
+        let line = error.position().map_or(1, csv::Position::line);
+        let allowed =
+            format!("a line of comma-separated fields, as many as the heading has, in UTF-8; {COMMAND} writes them");
+        Error::Table { file: file.into(), line, column: "line".into(), value: format!("malformed ({error})"), allowed }
+    };
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let heading = reader.headers().map_err(malformed)?.clone();
+    let mut places = Vec::new();
+    for name in COLUMNS {
+        match heading.iter().position(|column| column == name) {
+            Some(place) => places.push((name, place)),
+            None => {
+                let allowed = format!("a heading with {}", COLUMNS.join(","));
+                return Err(Error::Table {
+                    file: file.into(),
+                    line: 1,
+                    column: name.into(),
+                    value: "missing".into(),
+                    allowed,
+                });
+            }
+        }
+    }
+    let mut peers = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(malformed)?;
+        let number = record.position().map_or(0, csv::Position::line);
+        let fields = places.iter().map(|&(name, place)| (name, record.get(place).unwrap_or_default().to_string()));
+        peers.push(Line { file, number, fields: fields.collect() }.peer()?);
+    }
+    Ok(peers)
+}
+
+impl Line<'_> {
+    fn peer(&self) -> Result<Peer> {
+        let scenes = CASES.map(|case| case.scene).join(", ");
+        let known = CASES.iter().find(|case| case.scene == self.text("scene"));
+        let case = known.ok_or_else(|| self.refuse("scene", &format!("a scene of the study: {scenes}")))?;
+        // The other program knows the point, which has the probe's name in some scenes only.
+        let point = case.point()?;
+        if ![case.probe, &point].contains(&self.text("probe")) {
+            return Err(self.refuse("probe", &format!("the study's: {}, at the point {point}", case.probe)));
+        }
+        let failed = match self.text("status") {
+            "ok" => false,
+            "failed" => true,
+            _ => return Err(self.refuse("status", "ok, failed")),
+        };
+        for column in ["program", "element", "method"] {
+            if self.text(column).is_empty() {
+                return Err(self.refuse(column, "a name"));
+            }
+        }
+        let options = match self.text("newton_tolerance") {
+            "" => self.text("linear_solver").to_string(),
+            tolerance => format!(
+                "Newton tolerance {tolerance}, modified Newton {}, {}",
+                self.text("modified_newton"),
+                self.text("linear_solver")
+            ),
+        };
+        let (time, samples) = if failed { (None, None) } else { (Some(self.timing()?), Some(self.samples(case)?)) };
+        let counts = Counts {
+            steps: self.count("steps")?.unwrap_or(0),
+            newton_iterations: self.count("newton_iterations")?.unwrap_or(0),
+            tangent_calls: self.count("jacobians")?.unwrap_or(0),
+            ..Counts::default()
+        };
+        let point = Point {
+            program: format!("{} {}", self.text("program"), self.text("version")).trim().into(),
+            scene: case.scene.into(),
+            element: self.text("element").into(),
+            method: self.text("method").into(),
+            explicit: self.text("newton_tolerance").is_empty(),
+            elements: self.positive_count("elements")?,
+            step: Some(self.positive("step")?),
+            tolerance: None,
+            newton_tolerance: Some("newton_tolerance")
+                .filter(|c| !self.text(c).is_empty())
+                .map(|c| self.positive(c))
+                .transpose()?,
+            errors: None,
+            reference_uncertainty: f64::NAN,
+            time,
+            failed_after: None,
+            counts,
+            rejected: None,
+            status: if failed { Status::Failed } else { Status::Ok },
+            reason: self.text("reason").into(),
+        };
+        Ok(Peer { case, point, options, samples })
+    }
+
+    fn timing(&self) -> Result<Timing> {
+        let [median, min, max] = ["time_median_s", "time_min_s", "time_max_s"].map(|column| self.positive(column));
+        let (median, min, max) = (median?, min?, max?);
+        if !(min <= median && median <= max) {
+            return Err(
+                self.refuse("time_median_s", &format!("a time between the least, {min}, and the largest, {max}"))
+            );
+        }
+        Ok(Timing { runs: self.positive_count("runs")?, median, min, max })
+    }
+
+    /// The positions at our sample times.
+    fn samples(&self, case: &Case) -> Result<Samples> {
+        let [t, x, y] = ["t", "x", "y"].map(|column| self.list(column));
+        let (t, x, y) = (t?, x?, y?);
+        for (column, list) in [("x", &x), ("y", &y)] {
+            if list.len() != t.len() {
+                return Err(self.refuse(column, &format!("as many numbers as `t` has, {}", t.len())));
+            }
+        }
+        let mut position = Vec::new();
+        for time in case.times() {
+            let near = t.iter().position(|sample| (sample - time).abs() <= 1e-9 * time);
+            let place = near.ok_or_else(|| self.refuse("t", &format!("the study's times: {:?}", case.times())))?;
+            position.push([x[place], y[place]]);
+        }
+        Ok(Samples { position, velocity: Vec::new() })
+    }
+
+    fn text(&self, column: &str) -> &str {
+        self.fields.get(column).map_or("", String::as_str)
+    }
+
+    fn positive(&self, column: &str) -> Result<f64> {
+        let number = self.text(column).parse().ok().filter(|x: &f64| x.is_finite() && *x > 0.0);
+        number.ok_or_else(|| self.refuse(column, "a number over 0"))
+    }
+
+    fn positive_count(&self, column: &str) -> Result<usize> {
+        let allowed = "a whole number over 0";
+        self.count(column)?.filter(|count| *count > 0).ok_or_else(|| self.refuse(column, allowed))
+    }
+
+    /// A count, or nothing where the program does not count.
+    fn count(&self, column: &str) -> Result<Option<usize>> {
+        let count =
+            |text: &str| text.parse().map_err(|_| self.refuse(column, "a whole number, not negative, or nothing"));
+        Some(self.text(column)).filter(|text| !text.is_empty()).map(count).transpose()
+    }
+
+    fn list(&self, column: &str) -> Result<Vec<f64>> {
+        let number = |text: &str| text.parse().ok().filter(|x: &f64| x.is_finite());
+        let list: Option<Vec<f64>> = self.text(column).split_whitespace().map(number).collect();
+        list.filter(|list| !list.is_empty())
+            .ok_or_else(|| self.refuse(column, "finite numbers with spaces between them"))
+    }
+
+    fn refuse(&self, column: &str, allowed: &str) -> Error {
+        let value = match self.text(column) {
+            "" => "empty".into(),
+            text => format!("`{text}`"),
+        };
+        Error::Table {
+            file: self.file.into(),
+            line: self.number,
+            column: column.into(),
+            value,
+            allowed: allowed.into(),
+        }
+    }
+}
+
+impl Peer {
+    /// Its point with the errors: its theory is that of our Euler–Bernoulli element, and so is the limit of its meshes.
+    pub fn compared(mut self, reference: &Reference) -> Peer {
+        self.point.reference_uncertainty = reference.converged.uncertainty;
+        if let Some(samples) = &self.samples {
+            self.point.compare(samples, reference, None);
+        }
+        self
+    }
+}

@@ -1,0 +1,28 @@
+//! Okabe and Ito's colours, told apart by the colour-blind too, and which method has which of them in every picture.
+
+use plotters::style::RGBColor;
+
+use ancf::model::Method;
+
+pub const BLACK: RGBColor = RGBColor(0, 0, 0);
+pub const ORANGE: RGBColor = RGBColor(230, 159, 0);
+pub const BLUE: RGBColor = RGBColor(0, 114, 178);
+pub const GREEN: RGBColor = RGBColor(0, 158, 115);
+pub const GREY: RGBColor = RGBColor(150, 150, 150);
+pub const VERMILLION: RGBColor = RGBColor(213, 94, 0);
+pub const PURPLE: RGBColor = RGBColor(204, 121, 167);
+pub const SKY: RGBColor = RGBColor(86, 180, 233);
+
+/// The colour of a method.
+pub fn of_method(method: Method) -> RGBColor {
+    match method {
+        Method::GeneralizedAlpha => ORANGE,
+        Method::EnergyMomentum => BLUE,
+        Method::Explicit => VERMILLION,
+        Method::Gauss => GREY,
+        Method::GaussAdaptive => PURPLE,
+        Method::Nystrom => SKY,
+        Method::NystromAdaptive => BLACK,
+        Method::Static => GREEN,
+    }
+}

@@ -1,0 +1,38 @@
+//! The energy balance of a structure's run.
+
+use serde::Serialize;
+
+use super::scissors;
+
+/// The energy balance of a structure's run.
+#[derive(Serialize)]
+pub struct Balance {
+    pub model: &'static str,
+    /// Largest imbalance, and energy put in at the end, J.
+    pub largest: f64,
+    pub input: f64,
+    /// Bound of the first over the second.
+    pub bound: f64,
+}
+
+/// Bound of the imbalance over the energy put in.
+const BALANCE: f64 = 1e-8;
+
+impl Balance {
+    pub fn of(model: &'static str, motion: &scissors::Motion) -> Balance {
+        let [largest, input] = motion.energy_balance();
+        Balance { model, largest, input, bound: BALANCE }
+    }
+
+    /// A balance that is not a number does not hold.
+    pub fn holds(&self) -> bool {
+        self.largest <= self.bound * self.input
+    }
+}
+
+impl std::fmt::Display for Balance {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let Balance { model, largest, input, bound } = self;
+        write!(f, "{model}: energy balance {largest:.1e} J of {input:.1} J put in, bound {bound:.0e} of it")
+    }
+}
