@@ -8,10 +8,10 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use ancf::elements::{Ancf, Beam, Cable, Ends, Law};
 use ancf::equations::force::{self, Element, Matrix14};
 use ancf::equations::shape::Vector14;
 use ancf::equations::{cable, material};
+use ancf::internals::elements::{Ancf, Beam, Cable, Ends, Law};
 use ancf::model::Poisson;
 use ancf::nalgebra::{SMatrix, SVector, Vector3};
 use criterion::Criterion;
@@ -42,14 +42,14 @@ struct Case<const N: usize> {
 
 impl<const N: usize> Case<N> {
     /// A straight element, displaced by a wave along its coordinates.
-    fn new(vectors: &[ancf::elements::NodalVector]) -> Case<N> {
+    fn new(vectors: &[ancf::internals::elements::NodalVector]) -> Case<N> {
         let (sin, cos) = THETA.sin_cos();
         let initial = |i: usize| {
             let (meaning, at) = vectors[i / 2];
             match meaning {
-                ancf::elements::Meaning::Position => L * at * [cos, sin][i % 2],
-                ancf::elements::Meaning::SlopeX => [cos, sin][i % 2],
-                ancf::elements::Meaning::SlopeY => [-sin, cos][i % 2],
+                ancf::internals::elements::Meaning::Position => L * at * [cos, sin][i % 2],
+                ancf::internals::elements::Meaning::SlopeX => [cos, sin][i % 2],
+                ancf::internals::elements::Meaning::SlopeY => [-sin, cos][i % 2],
             }
         };
         let wave = |size: f64| SVector::from_fn(|i, _| size * (1.0 + i as f64).sin());

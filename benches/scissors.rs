@@ -8,11 +8,12 @@
 use std::hint::black_box;
 
 use ancf::error::Result;
-use ancf::integrators::counts::Counts;
-use ancf::integrators::{self, Integrator, State};
-use ancf::model::{Constraints, Method, Scene, Scissors};
+use ancf::integrators::Counts;
+use ancf::integrators::{Integrator, State};
+use ancf::internals::model::Scissors;
+use ancf::internals::structure::Structure;
+use ancf::model::{Constraints, Method, Scene};
 use ancf::nalgebra::DVector;
-use ancf::structure::Structure;
 
 /// Numbers of scissor-like elements; the bar compares the last with the first.
 const COUNTS: [usize; 3] = [10, 100, 1000];
@@ -122,7 +123,7 @@ fn case(name: &str, method: Method, constraints: Constraints) -> Result<bool> {
 fn scene(count: usize, method: Method, constraints: Constraints) -> Result<Scene> {
     let mut scene = Scissors { elements: ELEMENTS, ..Scissors::new(count) }.scene()?;
     (scene.time.method, scene.time.step, scene.constraints) = (method, STEP, constraints);
-    scene.validate("scissors")?;
+    scene.clone().build()?;
     Ok(scene)
 }
 
@@ -135,8 +136,13 @@ fn sample(scene: &Scene, repetitions: usize) -> Result<Sample> {
         let mut counts = Counts::default();
         let (u, v) = (structure.start().clone(), DVector::zeros(structure.size()));
         let mut state = State { step: 0, t: 0.0, u, v };
-        let mut method: Box<dyn Integrator> =
-            integrators::integrator(scene, &ancf::model::plan::Plan::of(scene), &structure, &state, &mut counts)?;
+        let mut method: Box<dyn Integrator> = ancf::internals::integrators::integrator(
+            scene,
+            &ancf::internals::model::Plan::of(scene),
+            &structure,
+            &state,
+            &mut counts,
+        )?;
         setup += seconds() - before;
 
         let mut before = seconds();

@@ -7,12 +7,13 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use ancf::error::Result;
-use ancf::integrators::counts::Counts;
-use ancf::integrators::{self, Integrator, State};
-use ancf::model::plan::Plan;
-use ancf::model::{Element, Method, Scene, Scissors, ThermalModel};
+use ancf::integrators::Counts;
+use ancf::integrators::{Integrator, State};
+use ancf::internals::model::Plan;
+use ancf::internals::model::Scissors;
+use ancf::internals::structure::{Matrix, Structure};
+use ancf::model::{Element, Method, Model, Scene, ThermalModel};
 use ancf::nalgebra::DVector;
-use ancf::structure::{Matrix, Structure};
 use criterion::Criterion;
 
 /// Steps from rest that are not timed, and those after them that are.
@@ -37,7 +38,7 @@ fn main() -> Result<()> {
         .sample_size(20)
         .configure_from_args();
     for element in [Element::Ancf, Element::EulerBernoulli] {
-        let pendulum = Scene::load("pendulum-flexible")?;
+        let pendulum = Model::load("pendulum-flexible")?.into_scene();
         parts_and_steps("pendulum of 8 elements", pendulum, element, [1e-3, 2e-5], &mut criterion)?;
         let scissors = Scissors { elements: 4, model: ThermalModel::TwoD, ..Scissors::new(3) }.scene()?;
         parts_and_steps("3 scissors of 4 elements", scissors, element, [1e-3, 1e-6], &mut criterion)?;
@@ -111,7 +112,7 @@ impl<'a> Walk<'a> {
     fn new(scene: &'a Scene, structure: &'a Structure) -> Result<Walk<'a>> {
         let mut counts = Counts::default();
         let state = State::at_start(structure);
-        let method = integrators::integrator(scene, &Plan::of(scene), structure, &state, &mut counts)?;
+        let method = ancf::internals::integrators::integrator(scene, &Plan::of(scene), structure, &state, &mut counts)?;
         let mut walk = Walk { scene, structure, method, state, counts };
         (0..FIRST_STEPS).try_for_each(|_| walk.step())?;
         walk.counts = Counts::default();

@@ -109,17 +109,13 @@
 /// The matrices and vectors of [`equations`] are its types.
 pub use nalgebra;
 
-pub mod elements;
+mod elements;
 pub mod equations;
 pub mod error;
 pub mod integrators;
-pub mod linear;
+pub mod internals;
+mod linear;
 pub mod model;
 pub mod run;
 pub mod state;
-pub mod structure;
-
-/// What the project's own studies, benches and the conformance kit need of the library's inside. It may change in any version.
-pub mod internals {
-    pub use crate::model::nearest;
-}
+mod structure;

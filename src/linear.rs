@@ -8,14 +8,16 @@ mod condensed;
 mod frontal;
 mod lanczos;
 mod layout;
+mod number;
 
 pub use band::{BandLu, BandMatrix};
 pub use banded_ldlt::TwinBand;
 pub use bordered::{Bordered, BorderedLu, Filling};
 pub use condensed::Chains;
-pub use frontal::{Chain, Elements, MOST_BORDER_UNKNOWNS, NONE, Number};
+pub use frontal::{Chain, Elements, MOST_BORDER_UNKNOWNS, NONE};
 pub use lanczos::{Pencil, largest_eigenvalue};
 pub use layout::{BlockLayout, Layout};
+pub use number::Number;
 
 use nalgebra::DVector;
 

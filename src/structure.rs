@@ -14,29 +14,35 @@
 
 mod build;
 mod collapse;
+mod constraint_row;
 mod constraints;
 mod element_dofs;
 mod frequency;
 mod load;
 mod mass;
 mod matrix;
+mod memory;
 mod mobility;
 mod node_dofs;
 mod numbering;
+mod point;
 mod probes;
 mod rod;
 mod rod_elements;
 mod rounding;
 mod uniform_elements;
+mod unknown_kind;
 mod unknowns;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use nalgebra::DVector;
 
+use self::constraint_row::ConstraintRow;
 use self::node_dofs::Components;
+use self::point::{Node, Point};
 use self::rod::Rod;
+use self::unknown_kind::Kind;
 use crate::elements::{Ends, ThermalStrain};
 use crate::linear::Layout;
 use crate::model::Force;
@@ -44,41 +50,7 @@ use crate::model::plan::Plan;
 
 pub use mass::MassFactors;
 pub use matrix::{Factors, Matrix};
-pub use probes::Instant;
-
-/// What one unknown measures; its force is compared with others as a force over this length.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Kind {
-    Position,
-    /// A slope, with the length (m) over which its moment acts: h for r_y, l for r_x.
-    Slope(f64),
-    /// One of λ.
-    Multiplier,
-}
-
-/// A named point of the scene.
-#[derive(Clone, Debug)]
-struct Point {
-    start: [f64; 2],
-    /// Its node in each of the rods that meet there, in the scene's order.
-    nodes: Vec<Node>,
-}
-
-/// A rod's node at a point: places in the rod's chain of its position and of the slope that turns with the section.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Node {
-    rod: usize,
-    position: usize,
-    slope: usize,
-}
-
-/// A row of Φ(q) = 0: Σ weight · displacement, the multiplier that keeps it, and whose unknowns it holds.
-#[derive(Clone, Debug)]
-struct ConstraintRow {
-    multiplier: usize,
-    /// Rod, unknown, weight.
-    terms: Vec<(usize, usize, f64)>,
-}
+pub use probes::{Instant, PointId, RodId};
 
 /// A structure ready for statics and dynamics.
 #[derive(Clone, Debug)]
@@ -90,7 +62,8 @@ pub struct Structure {
     weights: DVector<f64>,
     /// One over the length of its elements for a position; for a slope 1, of r_y in elements higher than long h/l; 0 for a multiplier.
     shares: DVector<f64>,
-    points: BTreeMap<String, Point>,
+    /// Sorted by name.
+    points: Vec<(String, Point)>,
     /// There are none in the condensed form.
     rows: Vec<ConstraintRow>,
     layout: Arc<Layout>,

@@ -10,7 +10,7 @@
 
 use std::cell::Cell;
 
-use ancf::integrators::counts::Counts;
+use ancf::integrators::Counts;
 use ancf::model::{Constraints, Element, Method, Probe, Quantity, Scene};
 use ancf::run::run_with_progress;
 

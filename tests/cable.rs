@@ -7,8 +7,8 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::elements::{Beam, Cable, Ends};
 use ancf::equations::cable::{self, Matrix8, Vector8};
+use ancf::internals::elements::{Beam, Cable, Ends};
 use ancf::state::{CableState, ThermalModel};
 use common::cable::{cables, scale};
 use common::{TOLERANCE, within, worst_ratio};

@@ -7,9 +7,9 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::elements::{Ancf, Beam, Cable, Law};
 use ancf::equations::{cable, shape, strain, volume};
 use ancf::error::Error;
+use ancf::internals::elements::{Ancf, Beam, Cable, Law};
 use ancf::model::{Element, Force, Method, Poisson, Scene};
 use ancf::run::run;
 use proptest::prelude::*;

@@ -5,10 +5,10 @@
 
 mod common;
 
-use ancf::integrators::counts::Counts;
-use ancf::integrators::{acceleration, mass_factors};
-use ancf::model::{Constraints, Method, Scene};
-use ancf::structure::Structure;
+use ancf::integrators::Counts;
+use ancf::internals::integrators::{acceleration, mass_factors};
+use ancf::internals::structure::Structure;
+use ancf::model::{Constraints, Method, Model, Scene};
 use common::system::{Terms, systems};
 use nalgebra::{DMatrix, DVector, Vector2};
 
@@ -31,7 +31,7 @@ struct Ours<'a> {
 impl Ours<'_> {
     fn of(case: &serde_json::Value) -> Ours<'_> {
         let terms = Terms::read(case);
-        let scene = Scene::parse(&case["scene"].to_string(), terms.id).unwrap();
+        let scene = Model::parse(&case["scene"].to_string(), terms.id).unwrap().into_scene();
         assert_eq!(scene.constraints, Constraints::Multipliers);
         let structure = Structure::new(&scene).unwrap();
         let (mut coordinates, mut position, mut q_0) = (Vec::new(), Vec::new(), Vec::new());
@@ -197,14 +197,17 @@ fn consistent_accelerations_and_multipliers() {
 #[test]
 fn condensed_accelerations_are_those_with_multipliers() {
     every_case(|ours| {
-        let mut scene = Scene::parse(&ours.terms.case["scene"].to_string(), ours.terms.id).unwrap();
+        let mut scene = Model::parse(&ours.terms.case["scene"].to_string(), ours.terms.id).unwrap().into_scene();
         let accelerations = |scene: &Scene| {
             let structure = Structure::new(scene).unwrap();
             let mut factors = mass_factors(&structure, &mut Counts::default()).unwrap();
             let u = DVector::zeros(structure.size());
             let a = acceleration(&structure, &mut factors, &u, ours.t, &mut Counts::default());
             let names = scene.rods.iter().flat_map(|rod| [Some(&rod.from), Some(&rod.to), rod.pivot.as_ref()]);
-            names.flatten().flat_map(|name| structure.at_point(name, &a)).collect::<Vec<f64>>()
+            names
+                .flatten()
+                .flat_map(|name| structure.at_point(structure.point(name).unwrap(), &a))
+                .collect::<Vec<f64>>()
         };
         let with_multipliers = accelerations(&scene);
         (scene.constraints, scene.time.method) = (Constraints::Condensed, Method::EnergyMomentum);

@@ -2,8 +2,8 @@
 
 use ancf::error::Error;
 use ancf::model::{Force, Method, Motion, Quantity, Scene, Start, Temperature, ThermalModel};
-use ancf::run::estimate::run_estimated;
 use ancf::run::run;
+use ancf::run::run_estimated;
 
 fn pendulum(method: Method, step: f64) -> Scene {
     let mut scene = Scene::builtin("pendulum-flexible").unwrap();

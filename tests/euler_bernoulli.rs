@@ -9,9 +9,10 @@
 mod common;
 
 use ancf::error::Error;
-use ancf::model::{Constraints, Element, Method, Quantity, Scene, Scissors, ThermalModel};
+use ancf::internals::model::Scissors;
+use ancf::internals::structure::Structure;
+use ancf::model::{Constraints, Element, Method, Quantity, Scene, ThermalModel};
 use ancf::run::{Run, run};
-use ancf::structure::Structure;
 use common::motion::{Placing, farthest, force_on, longest, must_run, positions, probe, reactions};
 use nalgebra::DVector;
 
@@ -165,7 +166,7 @@ fn a_relaxed_free_rod_is_stress_free() {
     (scene.supports, scene.gravity) = (Vec::new(), [0.0, 0.0]);
     (scene.time.step, scene.time.end, scene.output.interval) = (2e-5, 0.01, None);
     let structure = Structure::new(&scene).unwrap();
-    let [o, a] = ["o", "a"].map(|point| structure.position(point, structure.start()));
+    let [o, a] = ["o", "a"].map(|point| structure.position(structure.point(point).unwrap(), structure.start()));
     assert!(((a[0] - o[0]) - (1.0 + 2.85e-5 * 200.0)).abs() <= 1e-15, "{o:?}, {a:?}");
     let mut force = DVector::zeros(structure.size());
     structure.force(structure.start(), &structure.thermal_strains(0.0), &mut force);

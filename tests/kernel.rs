@@ -7,9 +7,9 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::elements::{Ancf, Beam, Ends, Law};
 use ancf::equations::shape::Vector14;
 use ancf::equations::{axis, force};
+use ancf::internals::elements::{Ancf, Beam, Ends, Law};
 use ancf::model::Poisson;
 use ancf::state::ThermalModel;
 use common::scale::scale;

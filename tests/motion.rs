@@ -5,7 +5,7 @@
 
 mod common;
 
-use ancf::model::{Constraints, Element, Method, Motion, Quantity, Scene, Start, Temperature, ThermalModel};
+use ancf::model::{Constraints, Element, Method, Model, Motion, Quantity, Scene, Start, Temperature, ThermalModel};
 use common::motion::{must_run, positions, probe, velocities};
 
 fn free_rod(element: Element, elements: usize, motion: Motion) -> Scene {
@@ -85,7 +85,7 @@ fn forms_of_constraints_agree_and_a_relaxed_start_spins() {
 #[test]
 fn a_motion_survives_its_file() {
     let scene = free_rod(Element::Ancf, 2, SPIN);
-    assert_eq!(Scene::parse(&scene.to_text(), "printed").unwrap(), scene);
+    assert_eq!(Model::parse(&scene.to_text(), "printed").unwrap().into_scene(), scene);
     let text = Scene::builtin("pendulum-flexible").unwrap().to_text();
     assert!(!text.contains("motion"), "at rest is said by nothing");
 }
@@ -96,7 +96,7 @@ fn motions_that_do_not_fit_are_refused_by_name() {
     let refused = |change: &dyn Fn(&mut Scene), parts: &[&str]| {
         let mut scene = Scene::builtin("pendulum-flexible").unwrap();
         change(&mut scene);
-        let message = Scene::parse(&scene.to_text(), "mine.json").unwrap_err().to_string();
+        let message = Model::parse(&scene.to_text(), "mine.json").unwrap_err().to_string();
         for part in parts {
             assert!(message.contains(part), "no {part:?} in: {message}");
         }
@@ -117,7 +117,7 @@ fn motions_that_do_not_fit_are_refused_by_name() {
     let text = Scene::builtin("pendulum-flexible").unwrap().to_text();
     let with = |motion: &str| {
         let text = text.replacen("\"time\"", &format!("\"motion\": {motion}, \"time\""), 1);
-        Scene::parse(&text, "mine.json").unwrap_err().to_string()
+        Model::parse(&text, "mine.json").unwrap_err().to_string()
     };
     assert!(with("{\"omga\": 1}").contains("nearest: `omega`"), "{}", with("{\"omga\": 1}"));
     assert!(with("null").contains("an object"), "{}", with("null"));

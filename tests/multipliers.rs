@@ -9,12 +9,14 @@
 
 mod common;
 
-use ancf::integrators::counts::Counts;
-use ancf::integrators::{State, integrator};
-use ancf::linear::Bordered;
-use ancf::model::{Constraints, Direction, Method, Quantity, Scene, Scissors, Support, ThermalModel};
+use ancf::integrators::Counts;
+use ancf::integrators::State;
+use ancf::internals::integrators::integrator;
+use ancf::internals::linear::Bordered;
+use ancf::internals::model::Scissors;
+use ancf::internals::structure::{Instant, Structure};
+use ancf::model::{Constraints, Direction, Method, Quantity, Scene, Support, ThermalModel};
 use ancf::run::Run;
-use ancf::structure::{Instant, Structure};
 use common::motion::{farthest, force_on, longest, must_run, positions, probe, reactions};
 use nalgebra::{DMatrix, DVector};
 
@@ -141,14 +143,15 @@ impl Moving {
         let Moving { scene, structure, state } = self;
         scene.time.step = step;
         let mut counts = Counts::default();
-        let mut method = integrator(scene, &ancf::model::plan::Plan::of(scene), structure, state, &mut counts).unwrap();
-        let mut mass = ancf::integrators::mass_factors(structure, &mut counts).unwrap();
+        let mut method =
+            integrator(scene, &ancf::internals::model::Plan::of(scene), structure, state, &mut counts).unwrap();
+        let mut mass = ancf::internals::integrators::mass_factors(structure, &mut counts).unwrap();
         let start = state.t;
         for n in 1..=count {
             let t = start + n as f64 * step;
             method.step(structure, state, t, &mut counts).unwrap();
             state.t = t;
-            let mut a = ancf::integrators::acceleration(structure, &mut mass, &state.u, t, &mut counts);
+            let mut a = ancf::internals::integrators::acceleration(structure, &mut mass, &state.u, t, &mut counts);
             structure.take_multipliers(&mut a);
             let none = DVector::zeros(structure.size());
             let multipliers = if structure.multiplier(0).is_some() { method.multipliers().unwrap() } else { &none };
@@ -235,9 +238,17 @@ fn multipliers_keep_their_digits_at_small_steps() {
         let forces = |moving: &mut Moving| {
             let mut rows: Vec<Vec<[f64; 2]>> = Vec::new();
             moving.go(step, 100, |structure, _, now| {
-                let reactions = ["b1", "a1"].map(|point| structure.reaction(point, now));
+                let reactions = ["b1", "a1"].map(|point| structure.reaction(structure.point(point).unwrap(), now));
                 let on_rods = [("m1", "a1b2"), ("m2", "b2a3"), ("a2", "b1a2"), ("b2", "a1b2"), ("a1", "a1b2")];
-                rows.push([&reactions[..], &on_rods.map(|(p, rod)| structure.force_on_rod(p, rod, now))].concat());
+                rows.push(
+                    [
+                        &reactions[..],
+                        &on_rods.map(|(point, rod)| {
+                            structure.force_on_rod(structure.point(point).unwrap(), structure.rod(rod).unwrap(), now)
+                        }),
+                    ]
+                    .concat(),
+                );
             });
             rows
         };

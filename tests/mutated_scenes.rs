@@ -4,7 +4,8 @@ use std::panic::catch_unwind;
 use std::time::{Duration, Instant};
 
 use ancf::error::Error;
-use ancf::model::{Scene, builtin_names, builtin_text};
+use ancf::internals::model::{builtin_names, builtin_text};
+use ancf::model::Model;
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
@@ -91,7 +92,7 @@ fn changed_scene_files_are_read_or_refused() {
     let number = if cfg!(debug_assertions) { 20_000 } else { 1_000_000 };
     let texts: Vec<String> =
         builtin_names().map(|name| builtin_text(name).unwrap().to_string()).chain([ALL.into()]).collect();
-    Scene::parse(ALL, "all").unwrap();
+    Model::parse(ALL, "all").unwrap().into_scene();
     let mut mutator = Mutator(TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]));
     let (mut read, mut no_text, mut slowest) = (0, 0, Duration::ZERO);
     for n in 0..number {
@@ -102,14 +103,14 @@ fn changed_scene_files_are_read_or_refused() {
             continue;
         };
         let clock = Instant::now();
-        let outcome = catch_unwind(|| Scene::parse(&text, "mutated"));
+        let outcome = catch_unwind(|| Model::parse(&text, "mutated"));
         slowest = slowest.max(clock.elapsed());
         match outcome {
             Ok(Ok(scene)) => {
                 read += 1;
                 // A scene that was read can be written and read again.
                 if n % 100 == 0 {
-                    assert_eq!(Scene::parse(&scene.to_text(), "again").unwrap(), scene, "{text}");
+                    assert_eq!(Model::parse(&scene.scene().to_text(), "again").unwrap(), scene, "{text}");
                 }
             }
             Ok(Err(Error::Scene { key, allowed, .. })) => {

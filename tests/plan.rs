@@ -4,10 +4,12 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::model::plan::Plan;
-use ancf::model::{Element, Method, Quantity, Scene, Start, Temperature, ThermalModel, builtin_names};
-use ancf::run::{Run, run, run_planned};
-use ancf::structure::{Factors, Matrix, Structure};
+use ancf::internals::model::Plan;
+use ancf::internals::model::builtin_names;
+use ancf::internals::run::run_planned;
+use ancf::internals::structure::{Factors, Matrix, Structure};
+use ancf::model::{Element, Method, Quantity, Scene, Start, Temperature, ThermalModel};
+use ancf::run::{Run, run};
 use common::motion::probe;
 use nalgebra::DVector;
 use proptest::prelude::*;
@@ -118,7 +120,7 @@ fn what_a_change_asks_for() {
     let changed = |change: &dyn Fn(&mut Scene)| {
         let mut scene = base.clone();
         change(&mut scene);
-        scene.validate("scene").unwrap();
+        scene.clone().build().unwrap();
         Plan::of(&scene)
     };
     let heat = |model| Temperature { model, start: Start::Sudden, history: vec![[0.0, 10.0]] };

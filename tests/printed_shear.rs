@@ -9,9 +9,9 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::elements::{Beam, Ends, PrintedShear};
 use ancf::equations::shape::Vector14;
-use ancf::model::Scene;
+use ancf::internals::elements::{Beam, Ends, PrintedShear};
+use ancf::model::Model;
 use ancf::run::{Run, run};
 use ancf::state::ThermalModel;
 use common::scale::scale;
@@ -113,7 +113,7 @@ fn cantilever(form: &str, degrees: f64, [along, across]: [f64; 2], time: &str) -
             "forces": [{{"point": "a", "force": {force:?}}}],
             "time": {time}, "probes": [{{"name": "a", "point": "a", "of": ["position"]}}]}}"#
     );
-    run(&Scene::parse(&text, "cantilever").unwrap()).unwrap()
+    run(&Model::parse(&text, "cantilever").unwrap().into_scene()).unwrap()
 }
 
 /// How far the tip goes along the rod and across it.
@@ -162,9 +162,9 @@ fn only_the_papers_element_is_printed() {
                 "rods": [{{"name": "rod", "from": "o", "to": "a", {rod}}}], "time": {{"end": 0.01}}}}"#
         )
     };
-    assert!(Scene::parse(&text(r#""elements": 2"#), "scene").is_ok());
+    assert!(Model::parse(&text(r#""elements": 2"#), "scene").is_ok());
     for rod in [r#""element": "euler-bernoulli""#, r#""poisson": "axis""#] {
-        let message = Scene::parse(&text(rod), "scene").unwrap_err().to_string();
+        let message = Model::parse(&text(rod), "scene").unwrap_err().to_string();
         assert!(message.contains("form") && message.contains("`rod`"), "{message}");
     }
 }

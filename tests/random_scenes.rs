@@ -9,8 +9,8 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use ancf::error::Error;
-use ancf::model::{Element, Method, Scene};
-use ancf::run::estimate::run_estimated;
+use ancf::model::{Element, Method, Model, Scene};
+use ancf::run::run_estimated;
 use ancf::run::{Run, run};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -304,8 +304,8 @@ fn random(number: usize, seed: u8) -> Vec<(Scene, Run)> {
     for n in 0..number {
         let drawn = strategy.new_tree(&mut runner).unwrap().current();
         let text = drawn.json().to_string();
-        let scene = match Scene::parse(&text, "random") {
-            Ok(scene) => scene,
+        let scene = match Model::parse(&text, "random") {
+            Ok(model) => model.into_scene(),
             // Numbers may be out of what a scene allows, which is said.
             Err(Error::Scene { .. }) => {
                 refused += 1;
@@ -314,7 +314,7 @@ fn random(number: usize, seed: u8) -> Vec<(Scene, Run)> {
             Err(other) => panic!("scene {n}: {other}\n{text}"),
         };
         let clock = Instant::now();
-        let came = outcome(&scene, run);
+        let came = outcome(&scene, |scene| run(scene));
         slowest = slowest.max(clock.elapsed());
         match came {
             Outcome::Panicked => panic!("scene {n} panics:\n{text}"),

@@ -2,10 +2,11 @@
 
 mod common;
 
-use ancf::integrators::counts::Counts;
-use ancf::model::plan::Plan;
+use ancf::integrators::Counts;
+use ancf::internals::model::Plan;
+use ancf::internals::run::run_planned;
 use ancf::model::{Method, Scene};
-use ancf::run::{Run, run_planned};
+use ancf::run::Run;
 use common::motion::{farthest, must_run, positions};
 
 /// With a new matrix for every iteration.

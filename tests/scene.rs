@@ -1,9 +1,10 @@
 //! The scene file: defaults, built-in scenes, round trip, and what is derived from its numbers.
 
 use ancf::error::Error;
+use ancf::internals::model::{Scissors, builtin_names, builtin_text};
 use ancf::model::{
-    Constraints, Direction, Element, Force, Method, Output, Poisson, Probe, Quantity, Rod, Scene, Scissors, Start,
-    Support, Temperature, ThermalModel, builtin_names, builtin_text,
+    Constraints, Direction, Element, Force, Method, Model, Output, Poisson, Probe, Quantity, Rod, Scene, Start,
+    Support, Temperature, ThermalModel,
 };
 
 /// The required keys, and nothing else.
@@ -18,12 +19,12 @@ const SMALLEST: &str = r#"{
 
 /// [`SMALLEST`] with more keys at its top.
 fn with(keys: &str) -> Scene {
-    Scene::parse(&SMALLEST.replacen('{', &format!("{{{keys},"), 1), "test").unwrap()
+    Model::parse(&SMALLEST.replacen('{', &format!("{{{keys},"), 1), "test").unwrap().into_scene()
 }
 
 #[test]
 fn what_is_left_out_is_absent_or_at_its_default() {
-    let scene = Scene::parse(SMALLEST, "test").unwrap();
+    let scene = Model::parse(SMALLEST, "test").unwrap().into_scene();
     assert_eq!(scene.title, "");
     assert_eq!(scene.material.alpha, 0.0);
     let (name, from, to) = ("r".into(), "p".into(), "q".into());
@@ -44,7 +45,9 @@ fn what_is_left_out_is_absent_or_at_its_default() {
 #[test]
 fn heat_without_words_is_2d_and_sudden() {
     let text = SMALLEST.replace("\"rho\": 2", "\"rho\": 2, \"alpha\": 1e-5");
-    let scene = Scene::parse(&text.replacen('{', "{\"temperature\": {\"history\": [[0, 9]]},", 1), "test").unwrap();
+    let scene = Model::parse(&text.replacen('{', "{\"temperature\": {\"history\": [[0, 9]]},", 1), "test")
+        .unwrap()
+        .into_scene();
     let history = vec![[0.0, 9.0]];
     let expected = Temperature { model: ThermalModel::TwoD, start: Start::Sudden, history };
     assert_eq!(scene.heat(&scene.rods[0]), Some(&expected));
@@ -67,7 +70,7 @@ fn cold_is_allowed_down_to_the_limit_of_the_strain_measure() {
     let mut scene = Scene::builtin("pendulum-2d").unwrap();
     scene.material.alpha = 2.5e-5;
     scene.temperature.as_mut().unwrap().history = vec![[0.0, -19_900.0]];
-    scene.validate("cold").unwrap();
+    scene.clone().build().unwrap();
 }
 
 #[test]
@@ -75,7 +78,7 @@ fn keys_may_come_in_any_order_and_numbers_in_any_form() {
     let text = r#"{"time": {"step": 25E-2, "end": 5e-1}, "rods": [{"to": "b", "elements": 1, "from": "a", "name": "r"}],
         "points": {"b": [1, 0], "a": [0.0e0, -0]}, "section": {"width": 1, "height": 1},
         "material": {"rho": 1, "nu": -0.5, "E": 1}, "schema": "ancf-scene\/1"}"#;
-    let scene = Scene::parse(text, "test").unwrap();
+    let scene = Model::parse(text, "test").unwrap().into_scene();
     assert_eq!((scene.steps(), scene.points["b"], scene.material.nu), (2, [1.0, 0.0], -0.5));
 }
 
@@ -93,8 +96,8 @@ fn a_scene_reads_back_from_its_own_json() {
     let builtin = builtin_names().map(|name| Scene::builtin(name).unwrap());
     for scene in builtin.chain([awkward]) {
         let text = serde_json::to_string(&scene).unwrap();
-        assert_eq!(Scene::parse(&text, "round trip").unwrap(), scene);
-        assert_eq!(Scene::parse(&scene.to_text(), "text for people").unwrap(), scene);
+        assert_eq!(Model::parse(&text, "round trip").unwrap().into_scene(), scene);
+        assert_eq!(Model::parse(&scene.to_text(), "text for people").unwrap().into_scene(), scene);
     }
 }
 
@@ -128,7 +131,7 @@ fn builtin_pendulums_are_those_of_table_1() {
         ("pendulum-2d-relaxed", Some((ThermalModel::TwoD, Start::Relaxed))),
     ];
     for (name, heat) in models {
-        let scene = Scene::load(name).unwrap();
+        let scene = Model::load(name).unwrap().into_scene();
         let material = &scene.material;
         let numbers = [material.youngs_modulus, material.nu, material.rho, material.alpha];
         assert_eq!(numbers, [2e8, 0.0, 7750.0, 2.85e-5]);
@@ -164,7 +167,7 @@ fn builtin_free_rod_is_free_inclined_and_relaxed() {
 #[test]
 fn builtin_scissors_are_those_of_table_2() {
     for (name, model) in [("scissors-3", None), ("scissors-3-thermal", Some(ThermalModel::TwoD))] {
-        let scene = Scene::load(name).unwrap();
+        let scene = Model::load(name).unwrap().into_scene();
         let material = &scene.material;
         let numbers = [material.youngs_modulus, material.nu, material.rho, material.alpha];
         assert_eq!(numbers, [7e10, 0.0, 2750.0, 2.3e-5]);
@@ -200,7 +203,7 @@ fn builtin_scissors_are_those_of_table_2() {
 #[test]
 fn scissors_by_number_are_the_embedded_ones_for_three() {
     for name in ["scissors-3", "scissors-3-thermal"] {
-        assert_eq!(Scissors::named(name).unwrap().scene().unwrap(), Scene::load(name).unwrap());
+        assert_eq!(Scissors::named(name).unwrap().scene().unwrap(), Model::load(name).unwrap().into_scene());
     }
     assert_eq!(Scissors::named("scissors-3"), Some(Scissors::new(3)));
 }
@@ -209,7 +212,7 @@ fn scissors_by_number_are_the_embedded_ones_for_three() {
 fn scissors_come_in_any_number() {
     for count in [1, 2, 10] {
         let name = format!("scissors-{count}-thermal");
-        let scene = Scene::load(&name).unwrap();
+        let scene = Model::load(&name).unwrap().into_scene();
         assert_eq!(scene, Scene::builtin(&name).unwrap());
         assert_eq!((scene.points.len(), scene.rods.len()), (2 * count + 2, 2 * count));
         assert_eq!(scene.probes[0].point, Some(format!("a{}", count + 1)));
@@ -219,14 +222,14 @@ fn scissors_come_in_any_number() {
         assert!((scene.points[&format!("a{}", count + 1)][0] - count as f64 * pitch).abs() < 1e-12);
         assert_eq!(builtin_text(&name).unwrap().lines().filter(|line| line.contains("pivot")).count(), 2 * count);
     }
-    Scene::load("scissors-6250").unwrap();
+    Model::load("scissors-6250").unwrap().into_scene();
     for name in ["scissors-0", "scissors-6251"] {
-        let message = Scene::load(name).unwrap_err().to_string();
+        let message = Model::load(name).unwrap_err().to_string();
         assert!(message.starts_with(name) && message.contains("from 1 to 6250"), "{message}");
     }
     for name in ["scissors-03", "scissors-", "scissors--1", "scissors-3-cold", "scissors-x", "scissors-+3"] {
         assert_eq!(Scissors::named(name), None);
-        assert!(Scene::load(name).is_err());
+        assert!(Model::load(name).is_err());
     }
 }
 
@@ -265,7 +268,7 @@ fn scissors_that_cannot_be_are_refused() {
 /// EI = 2.1e11 · 0.001⁴/12 = 0.0175 N m², so that PL²/EI = 10 for 0.175 N.
 #[test]
 fn builtin_cantilever_bends_far() {
-    let scene = Scene::load("cantilever").unwrap();
+    let scene = Model::load("cantilever").unwrap().into_scene();
     let (e, h) = (scene.material.youngs_modulus, scene.section.height);
     let bending = e * scene.section.width * h.powi(3) / 12.0;
     assert!((scene.forces[0].force[1] / bending + 10.0).abs() < 1e-12);
@@ -278,7 +281,7 @@ fn builtin_cantilever_bends_far() {
 
 #[test]
 fn builtin_scissor_stands_on_two_feet() {
-    let scene = Scene::load("scissor-static").unwrap();
+    let scene = Model::load("scissor-static").unwrap().into_scene();
     assert_eq!((scene.steps(), scene.time_after(5), scene.is_row(7)), (10, 0.5, true));
     assert_eq!(scene.columns()[1..9], ["a1.x", "a1.y", "a2.x", "a2.y", "b1.rx", "b1.ry", "b2.rx", "b2.ry"]);
     assert_eq!(scene.position("m1"), Some([0.5, 0.5 * 3.0_f64.sqrt()]));
@@ -296,14 +299,17 @@ fn text_for_people_keeps_short_lists_on_a_line() {
         assert!(text.lines().any(|found| found == line), "no {line:?} in:\n{text}");
     }
     assert!(text.starts_with("{\n") && text.ends_with("\n}\n"));
-    let text = Scene::load("scissors-3-thermal").unwrap().to_text();
+    let text = Model::load("scissors-3-thermal").unwrap().into_scene().to_text();
     assert!(text.contains("\n    {\"name\": \"b1a2\", \"from\": \"b1\", \"to\": \"a2\", "), "{text}");
 }
 
 #[test]
 fn builtin_text_is_the_scene() {
     for name in builtin_names() {
-        assert_eq!(Scene::parse(&builtin_text(name).unwrap(), name).unwrap(), Scene::builtin(name).unwrap());
+        assert_eq!(
+            Model::parse(&builtin_text(name).unwrap(), name).unwrap().into_scene(),
+            Scene::builtin(name).unwrap()
+        );
     }
     let message = builtin_text("pendulum-3d").unwrap_err().to_string();
     assert!(message.contains("the nearest is `pendulum-2d`") || message.contains("`pendulum-1d`"), "{message}");
@@ -362,23 +368,23 @@ fn rounding_does_not_refuse_a_whole_number_of_steps() {
         [("0.3", "0.1", 3), ("2.0", "2.5e-4", 8000), ("1.1", "1.1e-6", 1_000_000), ("1", "3.3333333333e-1", 3)]
     {
         let text = SMALLEST.replace("\"end\": 0.25", &format!("\"end\": {end}, \"step\": {step}"));
-        assert_eq!(Scene::parse(&text, "test").map(|scene| scene.steps()).unwrap(), steps);
+        assert_eq!(Model::parse(&text, "test").map(|model| model.scene().steps()).unwrap(), steps);
     }
     // Six digits of a third are a third no more.
     let text = SMALLEST.replace("\"end\": 0.25", "\"end\": 1, \"step\": 0.333333");
-    assert!(matches!(Scene::parse(&text, "test"), Err(Error::Scene { key, .. }) if key == "time.end"));
+    assert!(matches!(Model::parse(&text, "test"), Err(Error::Scene { key, .. }) if key == "time.end"));
 }
 
 #[test]
 fn a_scene_changed_in_memory_can_be_validated() {
     let mut scene = Scene::builtin("pendulum-2d").unwrap();
-    scene.validate("mine").unwrap();
+    scene.clone().build().unwrap();
     scene.time.step = f64::NAN;
-    let message = scene.validate("mine").unwrap_err().to_string();
+    let message = scene.clone().build().unwrap_err().to_string();
     assert_eq!(message, "mine: `time.step` is NaN; allowed: a finite number over 0");
     scene.time.step = 1e-3;
     scene.points.insert("a".into(), [f64::INFINITY, 0.0]);
-    assert!(matches!(scene.validate("mine"), Err(Error::Scene { key, .. }) if key == "points.a[0]"));
+    assert!(matches!(scene.clone().build(), Err(Error::Scene { key, .. }) if key == "points.a[0]"));
 }
 
 /// Two rods like an X, pinned in the middle; the second is of another material and not heated.
@@ -400,7 +406,7 @@ const CROSS: &str = r#"{
 
 #[test]
 fn rods_have_their_own_material_section_and_temperature_or_the_scenes() {
-    let scene = Scene::parse(CROSS, "test").unwrap();
+    let scene = Model::parse(CROSS, "test").unwrap().into_scene();
     let [up, down] = scene.rods.as_slice() else { panic!("two rods") };
     assert_eq!([up, down].map(|rod| scene.material(rod).youngs_modulus), [1.0, 5.0]);
     assert_eq!([up, down].map(|rod| scene.section(rod).height), [3.0, 7.0]);
@@ -409,13 +415,13 @@ fn rods_have_their_own_material_section_and_temperature_or_the_scenes() {
 
 #[test]
 fn pivots_are_points_at_the_middle() {
-    let scene = Scene::parse(CROSS, "test").unwrap();
+    let scene = Model::parse(CROSS, "test").unwrap().into_scene();
     assert_eq!(["p", "m", "x"].map(|point| scene.position(point)), [Some([0.0, 0.0]), Some([1.0, 1.0]), None]);
 }
 
 #[test]
 fn probes_of_a_point_a_pin_and_a_rod_have_their_columns() {
-    let scene = Scene::parse(CROSS, "test").unwrap();
+    let scene = Model::parse(CROSS, "test").unwrap().into_scene();
     assert_eq!(scene.columns()[1..10], ["1.x", "1.y", "1.rx", "1.ry", "2.rx", "2.ry", "3.rx", "3.ry", "4.w"]);
     let of = vec![Quantity::Deflection];
     let bend = Probe { name: "4".into(), point: None, rod: Some("down".into()), at: Some(1.0), of };
@@ -425,7 +431,7 @@ fn probes_of_a_point_a_pin_and_a_rod_have_their_columns() {
 #[test]
 fn a_place_on_a_rod_may_be_one_of_its_ends() {
     for at in ["0", "-0.0", "1.0"] {
-        Scene::parse(&CROSS.replace("\"at\": 1", &format!("\"at\": {at}")), "test").unwrap();
+        Model::parse(&CROSS.replace("\"at\": 1", &format!("\"at\": {at}")), "test").unwrap().into_scene();
     }
 }
 
@@ -433,7 +439,7 @@ fn a_place_on_a_rod_may_be_one_of_its_ends() {
 fn statics_may_take_a_million_load_steps() {
     let mut scene = Scene::builtin("cantilever").unwrap();
     scene.time.load_steps = 1_000_000;
-    scene.validate("many").unwrap();
+    scene.clone().build().unwrap();
 }
 
 /// Supports of one point count once.
@@ -442,17 +448,17 @@ fn a_relaxed_start_allows_one_held_point() {
     let mut scene = Scene::builtin("pendulum-2d-relaxed").unwrap();
     let clamp = Support { point: "o".into(), fix: vec![], slide: None, clamp: Some("rod".into()) };
     scene.supports.push(clamp.clone());
-    scene.validate("clamped").unwrap();
+    scene.clone().build().unwrap();
     scene.supports.push(Support { point: "a".into(), ..clamp });
-    assert!(matches!(scene.validate("held twice"), Err(Error::Scene { key, .. }) if key == "temperature.start"));
+    assert!(matches!(scene.clone().build(), Err(Error::Scene { key, .. }) if key == "temperature.start"));
 }
 
 #[test]
 fn an_end_is_asked_of_a_file_but_has_a_value_in_memory() {
-    let message = Scene::parse(&SMALLEST.replace("\"end\": 0.25", "\"step\": 0.3"), "test").unwrap_err().to_string();
+    let message = Model::parse(&SMALLEST.replace("\"end\": 0.25", "\"step\": 0.3"), "test").unwrap_err().to_string();
     assert_eq!(message, "test:7:11: `time.end` is missing; allowed: a value here, the key is required");
     let text = SMALLEST.replace("\"end\": 0.25", "\"method\": \"static\", \"step\": 0.3");
-    let scene = Scene::parse(&text, "test").unwrap();
+    let scene = Model::parse(&text, "test").unwrap().into_scene();
     assert_eq!((scene.time.end, scene.steps(), scene.time_after(10)), (1.0, 10, 1.0));
 }
 
@@ -460,21 +466,21 @@ fn an_end_is_asked_of_a_file_but_has_a_value_in_memory() {
 #[test]
 fn an_alpha_of_zero_is_given() {
     let text = CROSS.replace("\"alpha\": 1e-5", "\"alpha\": 0");
-    assert_eq!(Scene::parse(&text, "test").unwrap().material.alpha, 0.0);
+    assert_eq!(Model::parse(&text, "test").unwrap().into_scene().material.alpha, 0.0);
 }
 
 #[test]
 fn a_pivot_may_be_off_by_rounding_only() {
     let moved = |by: f64| CROSS.replace("\"q\": [2, 2]", &format!("\"q\": [{:?}, 2]", 2.0 + by));
     // The middle moves by half, and the rods are 2.83 m long.
-    Scene::parse(&moved(5.6e-9), "test").unwrap();
-    assert!(matches!(Scene::parse(&moved(5.8e-9), "test"), Err(Error::Scene { key, .. }) if key == "rods[1].pivot"));
+    Model::parse(&moved(5.6e-9), "test").unwrap().into_scene();
+    assert!(matches!(Model::parse(&moved(5.8e-9), "test"), Err(Error::Scene { key, .. }) if key == "rods[1].pivot"));
 }
 
 #[test]
 fn rods_may_share_both_ends_and_the_pivot() {
     let text = CROSS.replace(r#""from": "r", "to": "s""#, r#""from": "q", "to": "p""#);
-    Scene::parse(&text.replace(r#", "r": [0, 2], "s": [2, 0]"#, ""), "test").unwrap();
+    Model::parse(&text.replace(r#", "r": [0, 2], "s": [2, 0]"#, ""), "test").unwrap().into_scene();
 }
 
 /// The scene that the README shows is one.
@@ -482,7 +488,7 @@ fn rods_may_share_both_ends_and_the_pivot() {
 fn the_readme_shows_a_scene_that_runs() {
     let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
     let text = readme.split("```json").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
-    let mut scene = Scene::parse(text, "README.md").unwrap();
+    let mut scene = Model::parse(text, "README.md").unwrap().into_scene();
     scene.time.end = 0.02;
     let run = ancf::run::run(&scene).unwrap();
     assert_eq!(run.trajectory.rows.len(), 3);
@@ -495,7 +501,7 @@ fn suggestions_are_alike() {
     let text = Scene::builtin("scissors-3").unwrap().to_text();
     let message = |from: &str, to: &str| {
         assert!(text.contains(from), "{from}");
-        Scene::parse(&text.replace(from, to), "mine.json").unwrap_err().to_string()
+        Model::parse(&text.replace(from, to), "mine.json").unwrap_err().to_string()
     };
     let word = message("\"energy-momentum\"", "\"rk4\"");
     assert!(word.contains("`static`") && !word.contains("nearest"), "{word}");
@@ -508,10 +514,10 @@ fn suggestions_are_alike() {
     scene.rods.iter_mut().filter(|rod| rod.pivot.as_ref() == Some(&pivot)).for_each(|rod| rod.pivot = None);
     let mut renamed = scene.clone();
     renamed.probes[0].point = Some("hinge".into());
-    let gone = renamed.validate("mine").unwrap_err().to_string();
+    let gone = renamed.clone().build().unwrap_err().to_string();
     for part in ["`probes[0].point` is \"hinge\"", "`a1`, ", "where a point was taken away, what stands at it goes too"]
     {
         assert!(gone.contains(part), "no {part} in: {gone}");
     }
-    assert!(scene.validate("mine").unwrap_err().to_string().contains(&format!("is {pivot:?}")));
+    assert!(scene.clone().build().unwrap_err().to_string().contains(&format!("is {pivot:?}")));
 }

@@ -16,7 +16,8 @@
 
 mod common;
 
-use ancf::model::{Quantity, Scene, Scissors, ThermalModel};
+use ancf::internals::model::Scissors;
+use ancf::model::{Quantity, Scene, ThermalModel};
 use ancf::run::Run;
 use common::motion::{Path, Placing, farthest, force_on, longest, must_run, positions, probe, reactions, velocities};
 use common::system::systems;

@@ -4,7 +4,8 @@
 
 mod common;
 
-use ancf::model::{Constraints, Method, Quantity, Scene, Scissors};
+use ancf::internals::model::Scissors;
+use ancf::model::{Constraints, Method, Quantity, Scene};
 use ancf::run::Run;
 use common::motion::{Path, farthest, force_on, longest, must_run, positions, probe, reactions};
 

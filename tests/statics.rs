@@ -9,9 +9,10 @@
 mod common;
 
 use ancf::error::Error;
-use ancf::model::{Direction, Force, Method, Quantity, Rod, Scene, Scissors, Support, Temperature, ThermalModel};
+use ancf::internals::model::Scissors;
+use ancf::internals::structure::Structure;
+use ancf::model::{Direction, Force, Method, Quantity, Rod, Scene, Support, Temperature, ThermalModel};
 use ancf::run::{Run, run};
-use ancf::structure::Structure;
 use common::motion::{Placing, farthest, force_on, longest, must_run, positions, probe, reactions};
 
 /// The last row of a path.

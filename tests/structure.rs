@@ -4,9 +4,9 @@
 mod common;
 
 use ancf::error::Error;
+use ancf::internals::structure::Structure;
 use ancf::model::{Constraints, Element, Method, Poisson, Rod, Scene, Support};
 use ancf::run::run;
-use ancf::structure::Structure;
 use nalgebra::{DVector, Rotation2, Vector2};
 
 /// The pendulum of a built-in scene, turned by `angle` about the origin with its gravity, and moved by `by`.
@@ -84,7 +84,7 @@ fn a_relaxed_free_rod_is_stress_free_at_any_inclination() {
         (scene.time.step, scene.time.end, scene.output.interval) = (1e-3, 0.1, None);
         let structure = Structure::new(&scene).unwrap();
         let u = structure.start();
-        let [o, a] = ["o", "a"].map(|point| Vector2::from(structure.position(point, u)));
+        let [o, a] = ["o", "a"].map(|point| Vector2::from(structure.position(structure.point(point).unwrap(), u)));
         let expected = (1.0f64 + 2.0 * 2.85e-5 * 200.0).sqrt();
         assert!(((a - o).norm() - expected).abs() <= 1e-13 * expected, "{name}, {angle}: {}", (a - o).norm());
 
@@ -110,9 +110,9 @@ fn a_relaxed_free_rod_is_stress_free_at_any_inclination() {
 fn place_and_direction_do_not_matter() {
     let tip = |scene: &mut Scene| {
         (scene.time.method, scene.time.step, scene.time.end) = (Method::EnergyMomentum, 5e-4, 0.25);
-        let structure = Structure::new(scene).unwrap();
-        let start = Vector2::from(structure.position("a", &DVector::zeros(structure.size())));
-        let rows = run(scene).unwrap().trajectory;
+        let structure = Structure::new(&*scene).unwrap();
+        let start = Vector2::from(structure.position(structure.point("a").unwrap(), &DVector::zeros(structure.size())));
+        let rows = run(&*scene).unwrap().trajectory;
         let end = |name: &str| *rows.column(name).unwrap().last().unwrap();
         (Vector2::new(end("tip.x"), end("tip.y")) - start, Vector2::new(end("tip.vx"), end("tip.vy")))
     };
@@ -220,7 +220,7 @@ fn a_small_load_is_not_rounded_away() {
 /// What a matrix takes grows with the number of elements and of rods, not faster: a chain, a star and scissors.
 #[test]
 fn memory_is_linear() {
-    let bytes = |scene: &Scene| Structure::new(scene).unwrap().matrix_bytes() as f64;
+    let bytes = |scene: &Scene| Structure::new(&*scene).unwrap().matrix_bytes() as f64;
     let mut scene = knee();
     let mut third = scene.rods[1].clone();
     (third.name, third.from, third.to) = ("third".into(), "a".into(), "c".into());

@@ -7,7 +7,7 @@
 
 mod common;
 
-use ancf::model::{Constraints, Method, Scene};
+use ancf::model::{Constraints, Method, Model, Scene};
 use ancf::run::Run;
 use common::motion::{farthest, longest, must_run, positions, reactions, velocities};
 use common::system::systems;
@@ -54,7 +54,7 @@ fn motion(id: &str) -> Motion {
 
 impl Motion {
     fn scene(&self, method: Method, constraints: Constraints, step: f64) -> Scene {
-        let mut scene = Scene::parse(&self.scene.to_string(), &self.id).unwrap();
+        let mut scene = Model::parse(&self.scene.to_string(), &self.id).unwrap().into_scene();
         (scene.time.method, scene.constraints, scene.time.step) = (method, constraints, step);
         (scene.output.interval, scene.output.energy) = (Some(self.t[1]), false);
         scene

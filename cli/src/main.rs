@@ -8,8 +8,10 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use ancf::model::{Scene, Scissors, ThermalModel, builtin_names, builtin_text};
-use ancf::run::estimate::run_estimated;
+use ancf::internals::model::Words;
+use ancf::internals::model::{Scissors, builtin_names, builtin_text};
+use ancf::model::{Model, Scene, ThermalModel};
+use ancf::run::run_estimated;
 use ancf::run::run_with_progress;
 use ancf_conform::equations_text::equations_text;
 use ancf_conform::examiner::{Options, examine};
@@ -222,7 +224,7 @@ fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Pat
 fn load(name: &str, options: &ScissorsOptions) -> Result<Scene> {
     match options.change(name)? {
         Some(scissors) => Ok(scissors.scene()?),
-        None => Ok(Scene::load(name)?),
+        None => Ok(Model::load(name)?.into_scene()),
     }
 }
 
@@ -293,7 +295,7 @@ fn list_scenes() -> Result<()> {
     let width = builtin_names().map(str::len).max().unwrap_or(0);
     let mut list = String::new();
     for name in builtin_names() {
-        let title = Scene::load(name)?.title;
+        let title = Model::load(name)?.into_scene().title;
         list += &format!("{name:width$}  {title}\n");
     }
     let any = "scissors-<n>";

@@ -6,8 +6,9 @@ mod summary;
 
 use std::path::PathBuf;
 
-use ancf::model::plan::{Part, Plan};
-use ancf::model::{ENERGY_COLUMNS, Method, Scene};
+use ancf::internals::model::ENERGY_COLUMNS;
+use ancf::internals::model::{Part, Plan};
+use ancf::model::{Method, Scene};
 use ancf::run::{Run, Trajectory};
 use ancf_study::files::Files;
 use summary::write_summary;
@@ -110,8 +111,8 @@ fn unit(column: &str) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ancf::integrators::counts::Counts;
-    use ancf::run::estimate::Accuracy;
+    use ancf::integrators::Counts;
+    use ancf::run::Accuracy;
 
     /// Numbers whose shortest decimal form is easy to get wrong.
     pub(super) const AWKWARD: [f64; 6] = [0.1, -1.0 / 3.0, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0];

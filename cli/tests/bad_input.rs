@@ -349,7 +349,7 @@ refused! {
 #[test]
 fn the_unchanged_structures_are_valid() {
     for text in [CROSS, STILL, ADAPTIVE] {
-        ancf::model::Scene::parse(text, "case.json").unwrap();
+        ancf::model::Model::parse(text, "case.json").unwrap().into_scene();
     }
 }
 
@@ -395,7 +395,7 @@ fn more_load_steps_than_the_memory_holds() {
         steps(512_821).as_bytes(),
         &["`time.load_steps` is 512821; allowed: at most 512820: 195 columns, and 1e8 numbers at most"],
     );
-    ancf::model::Scene::parse(&steps(512_820), "case.json").unwrap();
+    ancf::model::Model::parse(&steps(512_820), "case.json").unwrap().into_scene();
 }
 
 #[test]

@@ -5,7 +5,8 @@ use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-use ancf::model::{Scene, Scissors, ThermalModel, builtin_names};
+use ancf::internals::model::{Scissors, builtin_names};
+use ancf::model::{Model, Scene, ThermalModel};
 use serde_json::Value;
 
 fn ancf(folder: &Path, arguments: &[&str]) -> Output {
@@ -45,7 +46,7 @@ fn a_printed_scene_is_a_file_to_start_from() {
     let text = stdout(ancf(folder.path(), &["scene", "pendulum-2d"]));
     let file = folder.path().join("mine.json");
     fs::write(&file, text).unwrap();
-    assert_eq!(Scene::load(file.to_str().unwrap()).unwrap(), Scene::builtin("pendulum-2d").unwrap());
+    assert_eq!(Model::load(file.to_str().unwrap()).unwrap().into_scene(), Scene::builtin("pendulum-2d").unwrap());
 }
 
 #[test]
@@ -53,9 +54,9 @@ fn scissors_are_printed_in_any_number_and_as_the_options_say() {
     let folder = tempfile::tempdir().unwrap();
     let printed = |arguments: &[&str]| {
         let text = stdout(ancf(folder.path(), &[&["scene"], arguments].concat()));
-        Scene::parse(&text, "printed").unwrap()
+        Model::parse(&text, "printed").unwrap().into_scene()
     };
-    assert_eq!(printed(&["scissors-10"]), Scene::load("scissors-10").unwrap());
+    assert_eq!(printed(&["scissors-10"]), Model::load("scissors-10").unwrap().into_scene());
     let options = ["--angle", "70", "--force", "-20.5", "--temperature", "1d"];
     let changed = Scissors { angle: 70.0, force: -20.5, model: ThermalModel::OneD, ..Scissors::new(4) };
     assert_eq!(printed(&[&["scissors-4"][..], &options].concat()), changed.scene().unwrap());

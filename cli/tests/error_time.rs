@@ -5,7 +5,8 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use ancf::error::Error;
-use ancf::integrators::counts::Counts;
+use ancf::integrators::Counts;
+use ancf::internals::model::Words;
 use ancf::model::{Element, Method};
 use ancf_study::error_time::case::{CASES, Case};
 use ancf_study::error_time::grid::{Reach, Subject};

@@ -5,18 +5,14 @@
 //! method has its order.
 //! Between two times that are asked for all steps are equal as long as the estimate allows, so that a matrix serves for many.
 
-use super::{Integrator, State};
+use super::counts::Counts;
+use super::integrator::{Integrator, same_time};
+use super::state::State;
 use crate::error::{Error, Result};
-use crate::integrators::counts::Counts;
 use crate::structure::Structure;
 
 /// The shortest step, of the longest; those that a corner or a row ends may be shorter.
 const SHORTEST: f64 = 1e-6;
-
-/// Times that differ by no more are the same, up to a time `t`: a few times their rounding, of which a step cannot be made.
-pub fn same_time(t: f64) -> f64 {
-    4.0 * f64::EPSILON * t
-}
 
 /// What a step may be of the one that the estimate calls for.
 const SAFETY: f64 = 0.9;

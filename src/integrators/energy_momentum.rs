@@ -7,11 +7,13 @@
 
 use nalgebra::DVector;
 
-use super::{Integrator, State};
+use super::counts::Counts;
+use super::increment::{Increment, step_failed};
+use super::integrator::{Integrator, check_end};
+use super::newton::{Equations, Newton, Residual};
+use super::state::State;
 use crate::elements::ThermalStrain;
 use crate::error::Result;
-use crate::integrators::counts::Counts;
-use crate::integrators::newton::{Equations, Increment, Newton, Residual};
 use crate::linear::SingularAt;
 use crate::structure::{Matrix, StepEnds, Structure};
 
@@ -112,6 +114,7 @@ impl Equations for Step<'_> {
 impl Integrator for EnergyMomentum {
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
         let EnergyMomentum { step: dt, newton, memory } = self;
+        check_end(state.t, *dt, t_1)?;
         structure.thermal_strains_into(state.t, &mut memory.thermal[0]);
         structure.thermal_strains_into(t_1, &mut memory.thermal[1]);
         structure.load_into(state.t, &mut memory.load);
@@ -123,7 +126,7 @@ impl Integrator for EnergyMomentum {
         memory.coasted.axpy(*dt, &state.v, 1.0);
         let largest_load = structure.largest(&memory.load);
         let mut step = Step { structure, dt: *dt, state, memory, largest_load };
-        newton.solve(structure, t_1, &mut step, counts)?;
+        newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
 
         // u₁ = u₀ + Δt v₀ + δ, v₁ = v₀ + 2δ/Δt.
         state.v.axpy(2.0 / *dt, &memory.increment.du, 1.0);

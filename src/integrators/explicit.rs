@@ -3,17 +3,19 @@
 //! v½ = v₀ + ½Δt a₀,  u₁ = u₀ + Δt v½,  a₁ = M⁻¹(Q_w − Q_e(u₁, ΔT₁)),  v₁ = v½ + ½Δt a₁: of second order, stable up to
 //! Δt = 2/ω for the largest angular frequency ω.
 
-use super::{Integrator, Motion, State, check_step};
+use super::counts::Counts;
+use super::equation_of_motion::EquationOfMotion;
+use super::equation_of_motion::check_step;
+use super::integrator::{Integrator, check_end};
+use super::state::State;
 use crate::error::{Error, Result};
-use crate::integrators::counts::Counts;
-use crate::model::Method;
 use crate::structure::Structure;
 
 /// The method with its step and the acceleration that it carries along.
 #[derive(Debug)]
 pub struct Explicit {
     step: f64,
-    motion: Motion,
+    motion: EquationOfMotion,
 }
 
 impl Explicit {
@@ -23,8 +25,8 @@ impl Explicit {
     /// [`Error::StepTooLarge`] over the stability limit of the start's largest frequency (an upper bound of it, see
     /// [`Structure::largest_frequency`]); [`Error::Singular`] for a singular mass matrix.
     pub fn new(structure: &Structure, state: &State, step: f64, counts: &mut Counts) -> Result<Explicit> {
-        check_step(structure, Method::Explicit, step, 2.0)?;
-        let mut motion = Motion::new(structure, counts)?;
+        check_step(structure, "explicit", step, 2.0)?;
+        let mut motion = EquationOfMotion::new(structure, counts)?;
         motion.accelerate(structure, &state.u, state.t, counts);
         Ok(Explicit { step, motion })
     }
@@ -33,6 +35,7 @@ impl Explicit {
 impl Integrator for Explicit {
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
         let dt = self.step;
+        check_end(state.t, dt, t_1)?;
         state.v.axpy(0.5 * dt, &self.motion.a, 1.0);
         state.u.axpy(dt, &state.v, 1.0);
         self.motion.accelerate(structure, &state.u, t_1, counts);

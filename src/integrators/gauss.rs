@@ -14,12 +14,15 @@
 
 use nalgebra::{Complex, DVector};
 
+use super::adaptive::Embedded;
+use super::counts::Counts;
+use super::increment::step_failed;
+use super::integrator::{Integrator, check_end};
+use super::newton::{Equations, Newton, Residual};
+use super::state::State;
 use super::work::{POINTS as C, Work};
-use super::{Embedded, Integrator, State};
 use crate::elements::ThermalStrain;
 use crate::error::Result;
-use crate::integrators::counts::Counts;
-use crate::integrators::newton::{Equations, Newton, Residual};
 use crate::linear::{Chains, SingularAt};
 use crate::structure::Structure;
 
@@ -201,7 +204,7 @@ impl Embedded for Gauss {
         structure.inertia_into(&state.v, &mut memory.elastic);
         let inertia_rounding = f64::EPSILON * INVERSE_SIZE * structure.largest(&memory.elastic) / dt;
         let mut step = Step { structure, dt, state, memory, largest_load, inertia_rounding };
-        newton.solve(structure, t_1, &mut step, counts)?;
+        newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
 
         state.u.axpy(dt, &state.v, 1.0);
         for (stage, a) in memory.a.iter().enumerate() {
@@ -269,6 +272,7 @@ impl Integrator for Gauss {
     }
 
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
+        check_end(state.t, self.step, t_1)?;
         self.make(structure, state, self.step, t_1, counts)?;
         counts.steps += 1;
         Ok(())

@@ -17,11 +17,15 @@
 
 use nalgebra::DVector;
 
-use super::{Integrator, State, acceleration, mass_factors};
+use super::counts::Counts;
+use super::equation_of_motion::acceleration;
+use super::equation_of_motion::mass_factors;
+use super::increment::{Increment, step_failed};
+use super::integrator::{Integrator, check_end};
+use super::newton::{Equations, Newton, Residual};
+use super::state::State;
 use crate::elements::ThermalStrain;
 use crate::error::Result;
-use crate::integrators::counts::Counts;
-use crate::integrators::newton::{Equations, Increment, Newton, Residual};
 use crate::linear::SingularAt;
 use crate::structure::{Matrix, Structure};
 
@@ -161,6 +165,7 @@ impl Equations for Step<'_> {
 impl Integrator for GeneralizedAlpha {
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
         let Weights { step: dt, beta, gamma, .. } = self.weights;
+        check_end(state.t, dt, t_1)?;
         let GeneralizedAlpha { newton, a: a_0, multipliers, memory, weights } = self;
         structure.thermal_strains_into(t_1, &mut memory.thermal);
         structure.load_into(t_1, &mut memory.load);
@@ -170,7 +175,7 @@ impl Integrator for GeneralizedAlpha {
         memory.coasted.axpy(dt, &state.v, 1.0);
         let largest_given = structure.largest(&memory.unbalanced).max(structure.largest(&memory.load));
         let mut step = Step { structure, weights: *weights, state, a_0, memory, largest_given };
-        newton.solve(structure, t_1, &mut step, counts)?;
+        newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
 
         // The last residual's forces are those of the solution.
         memory.unbalanced.copy_from(&memory.elastic);

@@ -1,16 +1,11 @@
-//! Newton's iteration, the one loop that every implicit method uses.
+//! Newton's iteration for any system of nonlinear equations.
 //!
 //! The matrix of an earlier iteration, or of an earlier step, serves as long as the residual shrinks with it so fast that a
 //! new one would not pay: a factorisation costs as much as a few iterations. Where it fails the iterate goes back and
 //! a new matrix is made: nothing converges worse than with a new one each time.
 
-use nalgebra::DVector;
-
-use crate::elements::ThermalStrain;
-use crate::error::{Error, Result};
-use crate::integrators::counts::Counts;
+use super::counts::Counts;
 use crate::linear::SingularAt;
-use crate::structure::{Factors, Structure};
 
 /// More new matrices than this never helped: where Newton converges at all it takes three to eight.
 const MOST_MATRICES: usize = 30;
@@ -30,16 +25,16 @@ const ROUNDINGS: f64 = 8.0;
 /// How many times that a residual may be for rounding to be what it failed for.
 const NEAR: f64 = 100.0;
 
-/// The size of what should vanish, and the largest of the forces it is made of, N, by which it is judged.
+/// Size of the residual, and the largest of the terms that it is the sum of, by which it is judged.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual {
-    /// [`Structure::largest`] of it.
+    /// Its largest entry.
     pub size: f64,
-    /// [`Structure::largest`] over its terms.
+    /// The largest entry of all terms.
     pub largest_term: f64,
 }
 
-/// The equations of a step with their unknowns.
+/// Nonlinear equations with their unknowns.
 pub trait Equations {
     /// Evaluates what should vanish at the present iterate.
     fn residual(&mut self, counts: &mut Counts) -> Residual;
@@ -51,7 +46,7 @@ pub trait Equations {
     ///
     /// # Errors
     /// The unknown with a vanishing pivot.
-    fn factorize(&mut self) -> std::result::Result<(), SingularAt>;
+    fn factorize(&mut self) -> Result<(), SingularAt>;
 
     /// Solves with the factors and takes the solution off the unknowns.
     fn improve(&mut self);
@@ -60,50 +55,27 @@ pub trait Equations {
     fn undo(&mut self);
 }
 
-/// The unknown of a step, what is added to a displacement that is known before, with what an iteration needs beside it.
-#[derive(Debug)]
-pub struct Increment {
-    /// The unknown, with multipliers in their places.
-    pub du: DVector<f64>,
-    /// The known displacement with it.
-    pub u: DVector<f64>,
-    /// What should vanish.
-    pub value: DVector<f64>,
-    /// The last improvement of `du`.
-    improvement: DVector<f64>,
-    /// Of the matrix.
-    pub factors: Factors,
-}
-
-impl Increment {
-    /// Memory for a structure's increments.
-    pub fn new(structure: &Structure) -> Increment {
-        let zeros = || DVector::zeros(structure.size());
-        Increment { du: zeros(), u: zeros(), value: zeros(), improvement: zeros(), factors: structure.factors() }
-    }
-
-    /// Moves `u` to the increment from the known displacement `u_0`.
-    pub fn move_from(&mut self, u_0: &DVector<f64>) {
-        self.u.copy_from(u_0);
-        self.u += &self.du;
-    }
-
-    /// Whether no entry of what should vanish is above `times` the rounding error of the elastic forces.
-    pub fn at_rounding(&self, structure: &Structure, thermal: &[ThermalStrain], times: f64) -> bool {
-        structure.within_rounding(&self.value, &self.u, thermal, times)
-    }
-
-    /// [`Equations::improve`].
-    pub fn improve(&mut self) {
-        self.improvement.copy_from(&self.value);
-        self.factors.solve(&mut self.improvement);
-        self.du -= &self.improvement;
-    }
-
-    /// [`Equations::undo`].
-    pub fn undo(&mut self) {
-        self.du += &self.improvement;
-    }
+/// Why an iteration ended without a solution.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Failure {
+    /// The residual stopped short of its goal.
+    NotConverged {
+        /// Iterations made.
+        iterations: usize,
+        /// Last residual over the largest term.
+        residual: f64,
+        /// What it had to reach.
+        tolerance: f64,
+        /// Whether it is of the order of rounding errors of the terms.
+        at_rounding: bool,
+    },
+    /// The matrix is singular.
+    Singular {
+        /// Number of the iteration, from 1.
+        iteration: usize,
+        /// The pivot that vanishes.
+        at: SingularAt,
+    },
 }
 
 /// What an iteration knows from earlier ones.
@@ -143,7 +115,7 @@ impl Newton {
         self.has_matrix = false;
     }
 
-    /// Solves the equations of a step that ends at `time`, from the guess that they hold.
+    /// Solves the equations, from the guess that they hold.
     ///
     /// Done when the residual's largest entry is at most the tolerance times the largest force term; or, once the iteration
     /// has done what it can, at most eight times the rounding error of the elastic forces, below which it cannot get. The
@@ -151,14 +123,8 @@ impl Newton {
     /// judged: they are linear, so that every iterate fulfils them.
     ///
     /// # Errors
-    /// [`Error::NewtonFailed`] without convergence, [`Error::Singular`] for a singular tangent.
-    pub fn solve(
-        &mut self,
-        structure: &Structure,
-        time: f64,
-        equations: &mut impl Equations,
-        counts: &mut Counts,
-    ) -> Result<()> {
+    /// [`Failure`].
+    pub fn solve(&mut self, equations: &mut impl Equations, counts: &mut Counts) -> Result<(), Failure> {
         self.distrust = self.distrust.saturating_sub(1);
         // Whether the last improvement came from the matrix of its own iterate.
         let mut own = true;
@@ -188,15 +154,15 @@ impl Newton {
                 self.has_matrix = false;
                 let (residual, tolerance) = (size / largest_term, self.tolerance);
                 let at_rounding = finite && equations.at_rounding(NEAR * ROUNDINGS);
-                return Err(Error::NewtonFailed { time, iterations, residual, tolerance, at_rounding });
+                return Err(Failure::NotConverged { iterations, residual, tolerance, at_rounding });
             }
             if needs_matrix {
                 matrices += 1;
                 counts.tangent_calls += 1;
                 counts.factorizations += 1;
-                equations.factorize().map_err(|SingularAt(unknown)| {
+                equations.factorize().map_err(|at| {
                     self.has_matrix = false;
-                    Error::Singular { time, iteration: iterations + 1, place: structure.place(unknown) }
+                    Failure::Singular { iteration: iterations + 1, at }
                 })?;
                 self.has_matrix = true;
             }

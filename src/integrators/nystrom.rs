@@ -7,11 +7,14 @@
 
 use nalgebra::DVector;
 
+use super::adaptive::Embedded;
+use super::counts::Counts;
+use super::equation_of_motion::EquationOfMotion;
+use super::equation_of_motion::check_step;
+use super::integrator::{Integrator, check_end};
+use super::state::State;
 use super::work::{POINTS, Work};
-use super::{Embedded, Integrator, Motion, State, check_step};
 use crate::error::{Error, Result};
-use crate::integrators::counts::Counts;
-use crate::model::Method;
 use crate::structure::Structure;
 
 /// Largest Δt ω at which no vibration grows.
@@ -34,7 +37,7 @@ const B_LOW: [f64; STAGES] = [-7.0 / 150.0, 67.0 / 150.0, 3.0 / 20.0, -1.0 / 20.
 #[derive(Debug)]
 pub struct Nystrom {
     step: f64,
-    motion: Motion,
+    motion: EquationOfMotion,
     /// Of the stages; the first is that of the step's start.
     a: [DVector<f64>; STAGES],
     u: DVector<f64>,
@@ -51,7 +54,7 @@ impl Nystrom {
     /// [`Error::StepTooLarge`] over the stability limit of the largest frequency, as for [`Explicit`](super::Explicit);
     /// [`Error::Singular`] for a singular mass matrix.
     pub fn new(structure: &Structure, state: &State, step: f64, counts: &mut Counts) -> Result<Nystrom> {
-        check_step(structure, Method::Nystrom, step, LIMIT)?;
+        check_step(structure, "nystrom", step, LIMIT)?;
         Nystrom::unchecked(structure, state, step, counts)
     }
 
@@ -60,7 +63,7 @@ impl Nystrom {
     /// # Errors
     /// [`Error::Singular`] for a singular mass matrix.
     pub fn unchecked(structure: &Structure, state: &State, step: f64, counts: &mut Counts) -> Result<Nystrom> {
-        let mut motion = Motion::new(structure, counts)?;
+        let mut motion = EquationOfMotion::new(structure, counts)?;
         motion.accelerate(structure, &state.u, state.t, counts);
         let zeros = || DVector::zeros(structure.size());
         let mut a: [DVector<f64>; STAGES] = std::array::from_fn(|_| zeros());
@@ -136,6 +139,7 @@ impl Integrator for Nystrom {
     }
 
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
+        check_end(state.t, self.step, t_1)?;
         self.make(structure, state, self.step, t_1, counts)?;
         counts.steps += 1;
         Ok(())

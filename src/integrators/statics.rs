@@ -8,11 +8,13 @@
 
 use nalgebra::DVector;
 
+use super::counts::Counts;
+use super::increment::Increment;
+use super::integrator::Integrator;
+use super::newton::{Equations, Failure, Newton, Residual};
+use super::state::State;
 use crate::elements::ThermalStrain;
 use crate::error::{Error, Result};
-use crate::integrators::counts::Counts;
-use crate::integrators::newton::{Equations, Increment, Newton, Residual};
-use crate::integrators::{Integrator, State};
 use crate::linear::SingularAt;
 use crate::structure::{Matrix, Structure};
 
@@ -98,7 +100,7 @@ impl Integrator for Statics {
         structure.load_into(t_1, &mut memory.load);
         let largest_load = structure.largest(&memory.load);
         let mut step = Step { structure, u_0: &state.u, memory, largest_load, improved: false };
-        newton.solve(structure, t_1, &mut step, counts).map_err(no_equilibrium)?;
+        newton.solve(&mut step, counts).map_err(|failure| no_equilibrium(failure, structure, t_1))?;
         state.u += &memory.increment.du;
         state.advance(t_1);
         counts.steps += 1;
@@ -106,19 +108,15 @@ impl Integrator for Statics {
     }
 }
 
-/// What Newton's iteration has to say, in terms of loads instead of times.
-fn no_equilibrium(error: Error) -> Error {
-    match error {
-        Error::NewtonFailed { time: factor, iterations, residual, tolerance, .. } => {
-            let reason = format!(
-                "residual {residual:.3e} of the largest force term after {iterations} iterations (tolerance {tolerance:.1e})"
-            );
-            Error::NoEquilibrium { factor, reason }
+/// The error of a load step, in terms of loads instead of times.
+fn no_equilibrium(failure: Failure, structure: &Structure, factor: f64) -> Error {
+    let reason = match failure {
+        Failure::NotConverged { iterations, residual, tolerance, .. } => format!(
+            "residual {residual:.3e} of the largest force term after {iterations} iterations (tolerance {tolerance:.1e})"
+        ),
+        Failure::Singular { iteration, at: SingularAt(unknown) } => {
+            format!("the tangent is singular at {}, iteration {iteration}", structure.place(unknown))
         }
-        Error::Singular { time: factor, iteration, place } => Error::NoEquilibrium {
-            factor,
-            reason: format!("the tangent is singular at {place}, iteration {iteration}"),
-        },
-        other => other,
-    }
+    };
+    Error::NoEquilibrium { factor, reason }
 }

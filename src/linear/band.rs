@@ -3,7 +3,7 @@
 //! A rod's matrices couple neighbours only, so elimination inside the band costs O(n b²) for n unknowns.
 
 use super::SingularAt;
-use super::frontal::Number;
+use super::number::Number;
 
 /// Right-hand sides that are solved together: a rod with two pinned ends and a pivot shares six coordinates.
 const SIDE_BY_SIDE: usize = 6;

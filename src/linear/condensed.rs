@@ -5,7 +5,8 @@
 
 use nalgebra::DVector;
 
-use super::frontal::{Chain, Number};
+use super::frontal::Chain;
+use super::number::Number;
 use super::{BandLu, BandMatrix, SingularAt, flush};
 
 /// The factors, or memory for them.

@@ -9,27 +9,17 @@
 //! from the first element that touches them on.
 
 mod front;
+mod place;
 
 use std::fmt::Debug;
 
-use nalgebra::ComplexField;
-
 use front::{Border, Front, Side, subtract};
+use place::{Place, SHARED};
 
+use super::number::Number;
 use super::{BandMatrix, SingularAt};
 
-/// Coordinates that an element shares with the next: two vectors.
-const SHARED: usize = 4;
-
-/// Most border unknowns of a chain: two components of two ends and of a pivot.
-pub const MOST_BORDER_UNKNOWNS: usize = 6;
-
-/// Stands for a coordinate that is no unknown of the chain's own.
-pub const NONE: u32 = u32::MAX;
-
-/// A number that matrices are made of: real, or complex for methods whose stages are coupled.
-pub trait Number: ComplexField<RealField = f64> + Copy {}
-impl<F: ComplexField<RealField = f64> + Copy> Number for F {}
+pub use place::{MOST_BORDER_UNKNOWNS, NONE};
 
 /// The factors of one rod's matrix, whatever its elements.
 pub trait Chain<F: Number>: Debug + Send + Sync {
@@ -67,18 +57,6 @@ pub struct Elements<F, const N: usize> {
     border: usize,
 }
 
-/// Where an element's coordinates stand.
-#[derive(Clone, Debug)]
-struct Place<const N: usize> {
-    /// Unknowns of the chain's own, [`NONE`] for others.
-    own: [u32; N],
-    /// Those others: the coordinate, and its place among the touched unknowns of the border; held ones have none.
-    others: Vec<(usize, Option<usize>)>,
-    /// How many of the border's unknowns this element or one before it touches, and where their sides begin.
-    reached: usize,
-    first_side: usize,
-}
-
 impl<F: Number, const N: usize> Elements<F, N> {
     /// The chain of elements with these unknowns ([`NONE`] where a coordinate is held), of which those from `border` on are the
     /// border's.
@@ -113,21 +91,6 @@ impl<F: Number, const N: usize> Elements<F, N> {
     /// Sides of an element's front, with the border's unknowns that they belong to.
     fn sides(&self, place: &Place<N>) -> impl Iterator<Item = (&Side<F, N>, usize)> {
         self.sides[place.first_side..][..place.reached].iter().zip(self.touches.iter().copied())
-    }
-}
-
-impl<const N: usize> Place<N> {
-    /// The place of an element; what it touches and no element before it did is added to `touches`.
-    fn new(unknowns: [u32; N], border: usize, touches: &mut Vec<usize>, first_side: usize) -> Place<N> {
-        let own = unknowns.map(|unknown| if (unknown as usize) < border { unknown } else { NONE });
-        let mut others = Vec::new();
-        for n in (0..N).filter(|&n| own[n] == NONE) {
-            let touched = (unknowns[n] != NONE).then_some(unknowns[n] as usize);
-            others
-                .push((n, touched.map(|touched| touches.iter().position(|&t| t == touched).unwrap_or(touches.len()))));
-            touches.extend(touched.filter(|touched| !touches.contains(touched)));
-        }
-        Place { own, others, reached: touches.len(), first_side }
     }
 }
 

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, Read};
 
-use super::json::parse::nearest;
-use super::{Scene, Scissors};
+use super::nearest::nearest;
+use super::scissors::Scissors;
 use crate::error::{Error, Result};
 
 /// Largest scene file that is read, bytes. A scene of 100 000 rods stays below it; a device or a data file that was
@@ -45,32 +45,23 @@ pub fn builtin_text(name: &str) -> Result<Cow<'static, str>> {
     Err(Error::Read { path: name.into(), source: io::Error::new(io::ErrorKind::NotFound, unknown(name)) })
 }
 
-impl Scene {
-    /// A built-in scene; `None` if none has that name.
-    pub fn builtin(name: &str) -> Option<Scene> {
-        Scene::parse(&builtin_text(name).ok()?, name).ok()
-    }
-
-    /// Reads a scene: a built-in one if `name_or_path` is its name, else the file.
-    ///
-    /// # Errors
-    /// [`Error::Read`] if the file cannot be read, with the nearest built-in name if there is no such file, and
-    /// [`Error::Scene`] if it holds something that is not allowed, or for too many scissors.
-    pub fn load(name_or_path: &str) -> Result<Scene> {
-        let text = match builtin_text(name_or_path) {
-            Ok(text) => text,
-            Err(Error::Read { path, .. }) => read(name_or_path).map_err(|source| Error::Read { path, source })?.into(),
-            Err(other) => return Err(other),
-        };
-        // Some editors put a byte order mark before the text.
-        Scene::parse(text.trim_start_matches('\u{feff}'), name_or_path)
-    }
-}
-
 fn unknown(name: &str) -> String {
     let nearest =
         nearest(name, builtin_names()).map_or(String::new(), |nearest| format!("the nearest is `{nearest}`, "));
     format!("no built-in scene has this name; {nearest}`ancf scenes` lists all")
+}
+
+/// The text of a built-in scene if the name is one, else of the file.
+///
+/// # Errors
+/// Those of [`builtin_text`]; [`Error::Read`] for a file that cannot be read.
+pub fn text_of(name_or_path: &str) -> Result<Cow<'static, str>> {
+    match builtin_text(name_or_path) {
+        Err(Error::Read { path, .. }) => {
+            read(name_or_path).map(Cow::Owned).map_err(|source| Error::Read { path, source })
+        }
+        text => text,
+    }
 }
 
 /// The text of the file at `path`.

@@ -160,3 +160,8 @@ impl Quantity {
         }
     }
 }
+
+/// Whether a value is the one that a scene file may leave out.
+pub(super) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}

@@ -1,13 +1,9 @@
-//! Temperature, and what it has to fulfil: histories in the order of time, within the strain measure, and a start that fits.
-
-use std::collections::BTreeSet;
-use std::fmt::Display;
+//! The temperature of rods over time.
 
 use serde::{Deserialize, Serialize};
 
-use super::history::{check_history, interpolate};
-use super::validate::{Check, require};
-use super::{Element, Rod, Scene, Start, ThermalModel};
+use super::choice::{Start, ThermalModel};
+use super::history::interpolate;
 
 /// The temperature change ΔT of rods over time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -26,58 +22,20 @@ pub struct Temperature {
 }
 
 impl Temperature {
-    /// ΔT at time `t` in s, K; 0 if the history is empty. The model is not asked: see [`Scene::heat`].
+    /// Heat that follows a history of pairs [t, ΔT] in s and K, and meets an unstretched structure at t = 0.
+    pub fn new(model: ThermalModel, history: Vec<[f64; 2]>) -> Temperature {
+        Temperature { model, start: Start::default(), history }
+    }
+
+    /// Begins at the stress-free stretch.
+    #[must_use]
+    pub fn relaxed(mut self) -> Temperature {
+        self.start = Start::Relaxed;
+        self
+    }
+
+    /// ΔT at time `t` in s, K; 0 if the history is empty. The model is not asked: see [`Scene::heat`](super::Scene::heat).
     pub fn at(&self, t: f64) -> f64 {
         interpolate(&self.history, t).unwrap_or(0.0)
     }
-}
-
-/// The temperatures of the scene and of its rods.
-pub(super) fn check_heat(scene: &Scene) -> Check {
-    if let Some(temperature) = &scene.temperature {
-        check_history("temperature.history", &temperature.history)?;
-    }
-    for (i, rod) in scene.rods.iter().enumerate() {
-        if let Some(temperature) = &rod.temperature {
-            check_history(format_args!("rods[{i}].temperature.history"), &temperature.history)?;
-        }
-    }
-    for (i, rod) in scene.rods.iter().enumerate() {
-        let Some(heat) = scene.heat(rod) else { continue };
-        match &rod.temperature {
-            Some(_) => check_rod(scene, rod, heat, format_args!("rods[{i}].temperature"))?,
-            None => check_rod(scene, rod, heat, "temperature")?,
-        }
-    }
-    Ok(())
-}
-
-/// What heat asks for where it strains a rod; `key` is where it is given.
-fn check_rod(scene: &Scene, rod: &Rod, heat: &Temperature, key: impl Display) -> Check {
-    require(!heat.history.is_empty(), format_args!("{key}.history"), "[]", "at least one pair [t, dT]")?;
-    let alpha = scene.material(rod).alpha;
-    // The square of the stress-free stretch, or that stretch itself.
-    let (factor, stretch) = match rod.element {
-        Element::Ancf => (2.0, "1 + 2 alpha dT"),
-        Element::EulerBernoulli => (1.0, "1 + alpha dT"),
-    };
-    // ΔT is linear between the pairs, so that the stretch is smallest at one of them.
-    for (i, &[_, change]) in heat.history.iter().enumerate() {
-        let limit = -1.0 / (factor * alpha);
-        let side = if alpha > 0.0 { "over" } else { "under" };
-        let rod = &rod.name;
-        let allowed = format_args!("dT {side} {limit:.6e} K, where {stretch} stays positive in the rod `{rod}`");
-        let key = format_args!("{key}.history[{i}][1]");
-        require(1.0 + factor * alpha * change > 0.0, key, format_args!("{change:?}"), allowed)?;
-    }
-    if heat.start == Start::Sudden {
-        return Ok(());
-    }
-    let rods = scene.rods.len();
-    let held = scene.supports.iter().map(|support| &support.point).collect::<BTreeSet<_>>().len();
-    let allowed = format_args!(
-        "\"sudden\"; \"relaxed\" needs a single rod that is held at no more than one point, so that it can stretch \
-         freely (here: rods {rods}, points held {held})"
-    );
-    require(rods == 1 && held <= 1, format_args!("{key}.start"), "\"relaxed\"", allowed)
 }

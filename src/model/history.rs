@@ -1,26 +1,7 @@
 //! Histories: pairs [t, value] in the order of time, linear between them.
 
-use std::fmt::Display;
-
-use super::validate::{Check, finite, require};
-
-/// Refuses a history of pairs [t, value] that is no function of time.
-pub(super) fn check_history(key: impl Display, history: &[[f64; 2]]) -> Check {
-    for (i, &[time, value]) in history.iter().enumerate() {
-        finite(format_args!("{key}[{i}][0]"), time)?;
-        finite(format_args!("{key}[{i}][1]"), value)?;
-    }
-    for (i, pair) in history.windows(2).enumerate() {
-        if let [[before, _], [time, _]] = pair {
-            let allowed = format_args!("a time after the {before:?} s before it");
-            require(time > before, format_args!("{key}[{}][0]", i + 1), format_args!("{time:?}"), allowed)?;
-        }
-    }
-    Ok(())
-}
-
 /// Times from 0 to `end` between which all of these histories are linear: both ends and the corners inside, in order.
-pub(crate) fn times_of<'a>(histories: impl IntoIterator<Item = &'a [[f64; 2]]>, end: f64) -> Vec<f64> {
+pub fn times_of<'a>(histories: impl IntoIterator<Item = &'a [[f64; 2]]>, end: f64) -> Vec<f64> {
     let corners = histories.into_iter().flatten().map(|&[t, _]| t).filter(|t| *t > 0.0 && *t < end);
     let mut times: Vec<f64> = corners.chain([0.0, end]).collect();
     times.sort_by(f64::total_cmp);
@@ -29,7 +10,7 @@ pub(crate) fn times_of<'a>(histories: impl IntoIterator<Item = &'a [[f64; 2]]>, 
 }
 
 /// The value at time `t` of a history of pairs [t, value]: linear between them, constant outside; `None` if it is empty.
-pub(crate) fn interpolate(history: &[[f64; 2]], t: f64) -> Option<f64> {
+pub fn interpolate(history: &[[f64; 2]], t: f64) -> Option<f64> {
     let next = history.partition_point(|&[time, _]| time <= t);
     let before = next.checked_sub(1).and_then(|last| history.get(last));
     match (before, history.get(next)) {

@@ -1,6 +1,6 @@
 //! The scene file: reading, writing, and saying where in it something is wrong.
 
-mod locate;
+pub mod locate;
 pub mod missing;
 pub mod parse;
 pub mod shape;

@@ -1,12 +1,9 @@
-//! Forces, and what they and gravity have to fulfil.
+//! Forces at points.
 
 use serde::{Deserialize, Serialize};
 
-use super::Scene;
-use super::history::{check_history, interpolate};
+use super::history::interpolate;
 use super::json::shape;
-use super::topology::check_node;
-use super::validate::{Check, finite, require};
 
 /// A force at a point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -23,28 +20,21 @@ pub struct Force {
 }
 
 impl Force {
+    /// A constant force [F_x, F_y] at a point, N.
+    pub fn new(point: &str, force: [f64; 2]) -> Force {
+        Force { point: point.into(), force, history: None }
+    }
+
+    /// Sets its factor over time, pairs [t, factor].
+    #[must_use]
+    pub fn history(mut self, history: Vec<[f64; 2]>) -> Force {
+        self.history = Some(history);
+        self
+    }
+
     /// The force [F_x, F_y] at time `t` in s, N.
     pub fn at(&self, t: f64) -> [f64; 2] {
         let factor = self.history.as_ref().and_then(|history| interpolate(history, t)).unwrap_or(1.0);
         self.force.map(|component| factor * component)
     }
-}
-
-/// Gravity and the forces at points.
-pub(super) fn check_loads(scene: &Scene) -> Check {
-    for (axis, &g) in scene.gravity.iter().enumerate() {
-        finite(format_args!("gravity[{axis}]"), g)?;
-    }
-    for (i, force) in scene.forces.iter().enumerate() {
-        check_node(scene, format_args!("forces[{i}].point"), &force.point)?;
-        for (axis, &component) in force.force.iter().enumerate() {
-            finite(format_args!("forces[{i}].force[{axis}]"), component)?;
-        }
-        if let Some(history) = &force.history {
-            let key = format_args!("forces[{i}].history");
-            require(!history.is_empty(), key, "[]", "at least one pair [t, factor]; without the key it is always 1")?;
-            check_history(key, history)?;
-        }
-    }
-    Ok(())
 }

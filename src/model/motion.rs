@@ -2,9 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::validate::{Check, finite, require};
-use super::{Method, Scene};
-
 /// Initial velocities: those of a rigid motion of everything.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -20,9 +17,6 @@ pub struct Motion {
     pub about: [f64; 2],
 }
 
-/// How fast a held point may be told to move, of the fastest point: rounding.
-const STILL: f64 = 1e-9;
-
 impl Motion {
     /// Velocity of what is at a place.
     pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
@@ -34,39 +28,4 @@ impl Motion {
     pub fn turned(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [-self.omega * y, self.omega * x]
     }
-}
-
-/// The motion, and that supports allow it.
-pub(super) fn check_motion(scene: &Scene) -> Check {
-    let Some(motion) = &scene.motion else { return Ok(()) };
-    for (axis, (velocity, about)) in motion.velocity.iter().zip(&motion.about).enumerate() {
-        finite(format_args!("motion.velocity[{axis}]"), *velocity)?;
-        finite(format_args!("motion.about[{axis}]"), *about)?;
-    }
-    finite("motion.omega", motion.omega)?;
-    let allowed = "nothing with the method \"static\", where nothing moves";
-    require(scene.time.method != Method::Static, "motion", "given", allowed)?;
-    let speed = |point: [f64; 2]| {
-        let [x, y] = motion.at(point);
-        x.hypot(y)
-    };
-    let fastest = scene.points.values().map(|point| speed(*point)).fold(0.0, f64::max);
-    require(fastest.is_finite(), "motion", "given", "velocities that are finite numbers")?;
-    for (i, support) in scene.supports.iter().enumerate() {
-        let Some(point) = scene.position(&support.point) else { continue };
-        let [x, y] = motion.at(point);
-        for direction in support.held() {
-            let along = x * direction[0] + y * direction[1];
-            let allowed = format_args!(
-                "a motion that leaves `{}` where supports[{i}] holds it; here it moves at {along:e} m/s along {direction:?}",
-                support.point
-            );
-            require(along.abs() <= STILL * fastest, "motion", format_args!("{motion:?}"), allowed)?;
-        }
-        if support.clamp.is_some() {
-            let allowed = format_args!("0, as supports[{i}] clamps a rod at `{}`", support.point);
-            require(motion.omega == 0.0, "motion.omega", format_args!("{:?}", motion.omega), allowed)?;
-        }
-    }
-    Ok(())
 }

@@ -5,7 +5,8 @@
 
 use serde::Serialize;
 
-use crate::model::{Constraints, Form, Method, Quantity, Scene};
+use super::choice::{Constraints, Form, Method, Quantity};
+use super::scene::Scene;
 
 /// What is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

@@ -1,11 +1,9 @@
-//! Probes, and what they have to fulfil: a point or a place on a rod, and quantities that are there.
+//! Probes: what is recorded, and where.
 
 use serde::{Deserialize, Serialize};
 
+use super::choice::Quantity;
 use super::json::shape;
-use super::topology::{check_list, check_name, check_node, check_rod, unique};
-use super::validate::{Check, require};
-use super::{Quantity, Scene};
 
 /// Quantities recorded at a point, or along a rod.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -26,71 +24,24 @@ pub struct Probe {
     pub of: Vec<Quantity>,
 }
 
+impl Probe {
+    /// Quantities of a point.
+    pub fn point(name: &str, point: &str, of: &[Quantity]) -> Probe {
+        Probe { name: name.into(), point: Some(point.into()), rod: None, at: None, of: of.into() }
+    }
+
+    /// The force on one of the rods that meet at a point.
+    pub fn force_on(name: &str, point: &str, rod: &str) -> Probe {
+        Probe { rod: Some(rod.into()), ..Probe::point(name, point, &[Quantity::Reaction]) }
+    }
+
+    /// The deflection of a rod at a fraction of its length.
+    pub fn deflection(name: &str, rod: &str, at: f64) -> Probe {
+        let of = vec![Quantity::Deflection];
+        Probe { name: name.into(), point: None, rod: Some(rod.into()), at: Some(at), of }
+    }
+}
+
 /// Columns of `trajectory.csv` that hold energies, J.
 pub const ENERGY_COLUMNS: [&str; 5] =
     ["energy.kinetic", "energy.strain", "energy.potential", "energy.input", "energy.balance"];
-
-/// Names, places and quantities of the probes.
-pub(super) fn check_probes(scene: &Scene) -> Check {
-    for (i, probe) in scene.probes.iter().enumerate() {
-        check_name(format_args!("probes[{i}].name"), &probe.name)?;
-        let allowed = "another name, as the columns `energy.…` hold energies";
-        require(probe.name != "energy", format_args!("probes[{i}].name"), "\"energy\"", allowed)?;
-        check_list(format_args!("probes[{i}].of"), probe.of.iter().map(|quantity| quantity.word()))?;
-        match (&probe.point, &probe.rod) {
-            (Some(point), rod) => check_at_point(scene, i, probe, point, rod.as_deref())?,
-            (None, Some(rod)) => check_on_rod(scene, i, probe, rod)?,
-            (None, None) => {
-                let allowed = "the name of a point, or `rod` and `at` for a place on a rod";
-                require(false, format_args!("probes[{i}].point"), "missing", allowed)?;
-            }
-        }
-    }
-    unique("probes", "name", scene.probes.iter().map(|probe| probe.name.as_str()))
-}
-
-/// A probe of a point, or of the force on one rod there.
-fn check_at_point(scene: &Scene, i: usize, probe: &Probe, point: &str, rod: Option<&str>) -> Check {
-    check_node(scene, format_args!("probes[{i}].point"), point)?;
-    if let Some(at) = probe.at {
-        let allowed = "nothing beside `point`: it is a place on a rod, without `point`";
-        require(false, format_args!("probes[{i}].at"), format_args!("{at:?}"), allowed)?;
-    }
-    if let Some(name) = rod {
-        check_rod(scene, format_args!("probes[{i}].rod"), name, Some(point))?;
-    }
-    let supported = scene.supports.iter().any(|support| support.point == point);
-    for (k, &quantity) in probe.of.iter().enumerate() {
-        let (holds, allowed) = match (quantity, rod) {
-            (Quantity::Deflection, _) => {
-                (false, "quantities of a point; a deflection has `rod` and `at`, without `point`")
-            }
-            (Quantity::Reaction, Some(_)) => (true, ""),
-            (Quantity::Reaction, None) => (
-                supported,
-                "a reaction at a point that a support holds, or with `rod` for the force of a pin on that rod",
-            ),
-            (_, Some(_)) => (false, "\"reaction\" only beside `rod`: the pinned rods move alike"),
-            (_, None) => (true, ""),
-        };
-        require(holds, format_args!("probes[{i}].of[{k}]"), format_args!("\"{quantity}\""), allowed)?;
-    }
-    Ok(())
-}
-
-/// A probe of a place along a rod.
-fn check_on_rod(scene: &Scene, i: usize, probe: &Probe, rod: &str) -> Check {
-    check_rod(scene, format_args!("probes[{i}].rod"), rod, None)?;
-    let allowed = "a number from 0 to 1, with both: the place as a fraction of the rod's length";
-    let key = format_args!("probes[{i}].at");
-    match probe.at {
-        Some(at) => require((0.0..=1.0).contains(&at), key, format_args!("{at:?}"), allowed)?,
-        None => require(false, key, "missing", allowed)?,
-    }
-    for (k, &quantity) in probe.of.iter().enumerate() {
-        let allowed = "\"deflection\" on a rod; the other quantities need a `point`";
-        let key = format_args!("probes[{i}].of[{k}]");
-        require(quantity == Quantity::Deflection, key, format_args!("\"{quantity}\""), allowed)?;
-    }
-    Ok(())
-}

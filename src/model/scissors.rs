@@ -3,13 +3,17 @@
 use std::collections::BTreeMap;
 use std::fmt::Display;
 
-use super::time;
-use super::topology::MOST_ELEMENTS;
-use super::validate::require;
-use super::{
-    Constraints, Direction, Element, Force, Form, Material, Method, Output, Poisson, Probe, Quantity, Rod, Scene,
-    Schema, Section, Start, Support, Temperature, ThermalModel, Time,
-};
+use super::check::require;
+use super::checks::check;
+use super::checks::topology::MOST_ELEMENTS;
+use super::choice::{Constraints, Direction, Element, Form, Method, Poisson, Quantity, Schema, Start, ThermalModel};
+use super::heat::Temperature;
+use super::loads::Force;
+use super::probes::Probe;
+use super::rod::{Material, Rod, Section};
+use super::scene::Scene;
+use super::supports::Support;
+use super::time::{Output, Time};
 use crate::error::Result;
 
 /// Length of a rod, m (Table 2).
@@ -85,19 +89,11 @@ impl Scissors {
             motion: None,
             constraints: Constraints::Condensed,
             form: Form::Consistent,
-            time: Time {
-                end: 3.0,
-                step: 2.5e-4,
-                method: Method::EnergyMomentum,
-                rho_inf: time::default_rho_inf(),
-                newton_tolerance: time::default_newton_tolerance(),
-                tolerance: time::default_tolerance(),
-                load_steps: time::default_load_steps(),
-            },
+            time: Time { step: 2.5e-4, method: Method::EnergyMomentum, ..Time::until(3.0) },
             output: Output { interval: Some(0.01), energy: true },
             probes: self.probes(),
         };
-        scene.validate(&self.name())?;
+        check(&scene).map_err(|refusal| refusal.into_error(&self.name(), None))?;
         Ok(scene)
     }
 

@@ -1,13 +1,9 @@
-//! Supports, and what they have to fulfil: points and rods that are there, and nothing held twice.
-
-use std::collections::BTreeMap;
+//! Supports: points held in place, at least in part.
 
 use serde::{Deserialize, Serialize};
 
+use super::choice::Direction;
 use super::json::shape;
-use super::topology::{check_list, check_node, check_rod};
-use super::validate::{Check, finite, require};
-use super::{Direction, Scene};
 
 /// A point held in place, at least in part: `fix`, or `slide`, and with either or without a `clamp`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -27,109 +23,31 @@ pub struct Support {
     pub clamp: Option<String>,
 }
 
-/// Sine of the angle between two directions up to which they count as parallel.
-const PARALLEL: f64 = 1e-9;
-
-/// The supports, one by one and against each other.
-pub(super) fn check_supports(scene: &Scene) -> Check {
-    let mut points: BTreeMap<&str, Held> = BTreeMap::new();
-    for (i, support) in scene.supports.iter().enumerate() {
-        check_support(scene, i, support)?;
-        points.entry(&support.point).or_default().add(i, support)?;
-    }
-    Ok(())
-}
-
-fn check_support(scene: &Scene, i: usize, support: &Support) -> Check {
-    let Support { point, fix, slide, clamp } = support;
-    check_node(scene, format_args!("supports[{i}].point"), point)?;
-    if !fix.is_empty() || (slide.is_none() && clamp.is_none()) {
-        let key = format_args!("supports[{i}].fix");
-        require(!fix.is_empty(), key, "missing", "at least one entry, or `slide` or `clamp` in its place")?;
-        check_list(key, fix.iter().map(|direction| direction.word()))?;
-    }
-    if let Some(direction) = slide {
-        for (axis, &component) in direction.iter().enumerate() {
-            finite(format_args!("supports[{i}].slide[{axis}]"), component)?;
-        }
-        let (holds, key) = (*direction != [0.0, 0.0], format_args!("supports[{i}].slide"));
-        require(holds, key, format_args!("{direction:?}"), "a direction that is not zero")?;
-    }
-    match clamp {
-        Some(rod) => check_rod(scene, format_args!("supports[{i}].clamp"), rod, Some(point)),
-        None => Ok(()),
-    }
-}
-
-/// What the supports looked at so far hold at one point.
-#[derive(Default)]
-struct Held<'a> {
-    /// Unit vectors along which the point cannot move, at most two.
-    directions: Vec<Hold>,
-    /// Rods whose sections are clamped there, and the supports that do it.
-    clamps: BTreeMap<&'a str, usize>,
-}
-
-/// A unit vector along which a point cannot move, and where the scene says so.
-struct Hold {
-    direction: [f64; 2],
-    /// Whether it is the direction across a slide.
-    slide: bool,
-    by: String,
-}
-
-impl<'a> Held<'a> {
-    /// Adds support number `i`, which has to hold what is free until then.
-    fn add(&mut self, i: usize, support: &'a Support) -> Check {
-        let Support { point, fix, slide, clamp } = support;
-        for (k, axis) in fix.iter().enumerate() {
-            let direction = match axis {
-                Direction::X => [1.0, 0.0],
-                Direction::Y => [0.0, 1.0],
-            };
-            let hold = Hold { direction, slide: false, by: format!("supports[{i}].fix") };
-            self.hold(hold, point, format!("supports[{i}].fix[{k}]"), format!("\"{axis}\""))?;
-        }
-        if let (Some(slide), Some(direction)) = (*slide, support.across()) {
-            let hold = Hold { direction, slide: true, by: format!("supports[{i}].slide") };
-            self.hold(hold, point, format!("supports[{i}].slide"), format!("{slide:?}"))?;
-        }
-        if let Some(rod) = clamp
-            && let Some(first) = self.clamps.insert(rod, i)
-        {
-            let allowed = format_args!(
-                "a rod that no other support clamps at `{point}`: supports[{i}] is redundant beside supports[{first}]"
-            );
-            require(false, format_args!("supports[{i}].clamp"), format_args!("{rod:?}"), allowed)?;
-        }
-        Ok(())
-    }
-
-    /// Adds one direction. In the plane a slide leaves room for no other: one that is parallel to what it holds is held
-    /// twice, any other blocks the slide.
-    fn hold(&mut self, new: Hold, point: &str, key: String, value: String) -> Check {
-        let [x, y] = new.direction;
-        let parallel = |old: &&Hold| (old.direction[0] * y - old.direction[1] * x).abs() <= PARALLEL;
-        let (first, verdict) = match (self.directions.iter().find(parallel), self.directions.as_slice()) {
-            // Both directions are held, the one of the slide too.
-            (_, [first, _]) if new.slide => (first, "contradicts"),
-            (Some(first), _) => (first, "is redundant beside"),
-            (None, [first, ..]) if new.slide || first.slide => (first, "contradicts"),
-            // Without slides there are x and y only: two directions are not followed by another one.
-            (None, _) => {
-                self.directions.push(new);
-                return Ok(());
-            }
-        };
-        let (by, first) = (&new.by, &first.by);
-        let allowed = format_args!("directions that no other support holds at `{point}`: {by} {verdict} {first}");
-        require(false, key, value, allowed)
-    }
-}
-
 impl Support {
+    /// Holds a point in both directions; rods turn freely there.
+    pub fn pinned(point: &str) -> Support {
+        Support::fixed(point, &[Direction::X, Direction::Y])
+    }
+
+    /// Holds a point in these directions.
+    pub fn fixed(point: &str, fix: &[Direction]) -> Support {
+        Support { point: point.into(), fix: fix.into(), slide: None, clamp: None }
+    }
+
+    /// Lets a point move along a direction [x, y] only.
+    pub fn sliding(point: &str, along: [f64; 2]) -> Support {
+        Support { point: point.into(), fix: Vec::new(), slide: Some(along), clamp: None }
+    }
+
+    /// Keeps the direction of a rod's section at the point, too.
+    #[must_use]
+    pub fn clamping(mut self, rod: &str) -> Support {
+        self.clamp = Some(rod.into());
+        self
+    }
+
     /// Unit vectors along which it holds its point.
-    pub(crate) fn held(&self) -> Vec<[f64; 2]> {
+    pub fn held(&self) -> Vec<[f64; 2]> {
         let axis = |direction: &Direction| match direction {
             Direction::X => [1.0, 0.0],
             Direction::Y => [0.0, 1.0],
@@ -138,7 +56,7 @@ impl Support {
     }
 
     /// The unit vector across its slide, along which it holds the point. Scaled first, as squares under- and overflow.
-    pub(crate) fn across(&self) -> Option<[f64; 2]> {
+    pub fn across(&self) -> Option<[f64; 2]> {
         let [x, y] = self.slide?;
         let size = x.abs().max(y.abs());
         let (x, y) = (x / size, y / size);

@@ -1,10 +1,9 @@
-//! Time and output, and what they have to fulfil: whole numbers of steps, and no more of them than a computer takes.
+//! Time: how long, in which steps, by which method; and which rows are recorded.
 
 use serde::{Deserialize, Serialize};
 
+use super::choice::Method;
 use super::json::shape;
-use super::validate::{Check, positive, require};
-use super::{Method, Scene};
 
 /// How long, in which steps, by which method.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -35,11 +34,26 @@ pub struct Time {
     pub load_steps: usize,
 }
 
+impl Time {
+    /// Time up to `end` (s), everything else at its default.
+    pub fn until(end: f64) -> Time {
+        Time {
+            end,
+            step: default_step(),
+            method: Method::default(),
+            rho_inf: default_rho_inf(),
+            newton_tolerance: default_newton_tolerance(),
+            tolerance: default_tolerance(),
+            load_steps: default_load_steps(),
+        }
+    }
+}
+
 fn default_end() -> f64 {
     1.0
 }
 
-pub(super) fn default_load_steps() -> usize {
+fn default_load_steps() -> usize {
     10
 }
 
@@ -47,15 +61,15 @@ fn default_step() -> f64 {
     1e-3
 }
 
-pub(super) fn default_rho_inf() -> f64 {
+fn default_rho_inf() -> f64 {
     0.9
 }
 
-pub(super) fn default_tolerance() -> f64 {
+fn default_tolerance() -> f64 {
     1e-6
 }
 
-pub(super) fn default_newton_tolerance() -> f64 {
+fn default_newton_tolerance() -> f64 {
     1e-10
 }
 
@@ -79,86 +93,4 @@ impl Default for Output {
     fn default() -> Self {
         Output { interval: None, energy: default_energy() }
     }
-}
-
-/// Most time steps of a run: more is a mistyped step, and would take days even with one element.
-const MOST_STEPS: f64 = 1e9;
-
-/// Most load steps: each one is a row of the trajectory.
-const MOST_LOAD_STEPS: usize = 1_000_000;
-
-/// Most numbers in a trajectory, which is kept in memory: 0.8 GB.
-const MOST_NUMBERS: f64 = 1e8;
-
-/// How far a ratio that has to be whole may be from it: relative, and in the unit of the ratio. The first lets pass
-/// steps that were written with ten digits; the second keeps the end of a long run within a thousandth of a step.
-const WHOLE: (f64, f64) = (1e-9, 1e-3);
-
-/// Steps and the numbers of the methods.
-pub(super) fn check_time(scene: &Scene) -> Check {
-    let &Time { end, step, method, rho_inf, newton_tolerance, tolerance, load_steps } = &scene.time;
-    positive("time.end", end)?;
-    positive("time.step", step)?;
-    if method == Method::Static {
-        let allowed = "1, or nothing: with the method \"static\" the load factor grows from 0 to 1 in place of time";
-        require(end == 1.0, "time.end", format_args!("{end:?}"), allowed)?;
-    } else {
-        let steps = end / step;
-        let allowed = format_args!("at least {:.9e} s, for {MOST_STEPS:e} steps at most", end / MOST_STEPS);
-        require(steps <= MOST_STEPS, "time.step", format_args!("{step:?}"), allowed)?;
-        if !method.is_adaptive() {
-            // A step that is proposed should not be refused for the rows.
-            let rows = scene.output.interval.filter(|interval| *interval > 0.0 && is_whole(end / interval));
-            whole("time.end", end, ("time.step", step), rows.unwrap_or(end))?;
-        }
-        positive("time.tolerance", tolerance)?;
-    }
-    let rho_holds = (0.0..=1.0).contains(&rho_inf);
-    require(rho_holds, "time.rho_inf", format_args!("{rho_inf:?}"), "a number from 0 to 1, with both")?;
-    let tolerance_holds = newton_tolerance > 0.0 && newton_tolerance <= 1e-2;
-    let allowed = "a number over 0, and not over 1e-2";
-    require(tolerance_holds, "time.newton_tolerance", format_args!("{newton_tolerance:?}"), allowed)?;
-    let allowed = format_args!("a whole number from 1 to {MOST_LOAD_STEPS}");
-    require((1..=MOST_LOAD_STEPS).contains(&load_steps), "time.load_steps", load_steps, allowed)
-}
-
-/// The rows, and the memory that they take.
-pub(super) fn check_output(scene: &Scene) -> Check {
-    let columns = scene.columns().len() as f64;
-    if scene.time.method == Method::Static {
-        let (rows, most) = (scene.time.load_steps, (MOST_NUMBERS / columns).floor());
-        let allowed = format_args!("at most {most}: {columns} columns, and {MOST_NUMBERS:e} numbers at most");
-        return require(rows as f64 <= most, "time.load_steps", rows, allowed);
-    }
-    let key = "output.interval";
-    let Time { end, step, .. } = scene.time;
-    if let Some(interval) = scene.output.interval {
-        positive(key, interval)?;
-        if scene.time.method.is_adaptive() {
-            whole("time.end", end, (key, interval), end)?;
-        } else {
-            whole(key, interval, ("time.step", step), interval)?;
-        }
-    } else if scene.time.method.is_adaptive() {
-        whole("time.end", end, ("time.step", step), end)?;
-    }
-    let interval = scene.output.interval.unwrap_or(step);
-    let rows = end / interval;
-    let smallest = end * columns / MOST_NUMBERS;
-    let allowed = format_args!("at least {smallest:.3e} s: {columns} columns, and {MOST_NUMBERS:e} numbers at most");
-    require(rows * columns <= MOST_NUMBERS, key, format_args!("{interval:?}"), allowed)
-}
-
-/// Refuses a duration that is not a whole number of steps, and proposes one that divides `part` of it.
-fn whole(key: &str, duration: f64, (unit, step): (&str, f64), part: f64) -> Check {
-    let count = duration / step;
-    let fitting = part / (part / step).ceil().max(1.0);
-    let allowed = format_args!(
-        "a whole number of steps of `{unit}` = {step:?} s, not {count:.6}; a step of {fitting:?} s divides it"
-    );
-    require(is_whole(count), key, format_args!("{duration:?}"), allowed)
-}
-
-fn is_whole(count: f64) -> bool {
-    count > 0.5 && (count - count.round()).abs() <= (WHOLE.0 * count).min(WHOLE.1)
 }

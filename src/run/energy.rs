@@ -96,7 +96,7 @@ impl Energy {
         self.supply = self.supply.max(self.kinetic + input.abs() + (potential - (self.start - self.kinetic)).abs());
         if created > self.supply + structure.energy_rounding() {
             let (time, step, supply) = (state.t, state.step, self.supply);
-            return Err(Error::EnergyAppeared { time, step, created, supply, method });
+            return Err(Error::EnergyAppeared { time, step, created, supply, cure: cure(method) });
         }
         Ok(())
     }
@@ -120,5 +120,33 @@ impl Energy {
             "energy {moved}: {missed:.1e} J, {share:.1} % of what the energies change by; {why}; whether positions suffer from it shows a \
              smaller step, or another method"
         ))
+    }
+}
+
+/// What helps where a method's steps are too long for what comes suddenly.
+fn cure(method: Method) -> String {
+    let shorter = if method.is_adaptive() { "time.tolerance" } else { "time.step" };
+    let others = match method {
+        Method::EnergyMomentum => ", or \"explicit\"",
+        _ if method.is_explicit() => "",
+        _ => ", or \"energy-momentum\" or \"explicit\"",
+    };
+    format!("a smaller `{shorter}` helps, or a `history` that lets it grow{others}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_method_is_told_to_use_itself() {
+        for (method, part) in [
+            (Method::GeneralizedAlpha, "`history` that lets it grow, or \"energy-momentum\" or \"explicit\""),
+            (Method::EnergyMomentum, "`history` that lets it grow, or \"explicit\""),
+            (Method::Explicit, "a smaller `time.step` helps, or a `history` that lets it grow"),
+            (Method::NystromAdaptive, "a smaller `time.tolerance` helps, or a `history` that lets it grow"),
+        ] {
+            assert!(cure(method).ends_with(part), "{}", cure(method));
+        }
     }
 }

@@ -12,22 +12,20 @@
 //! that they damp is gone from both runs alike before a late row. The error is the largest of all these instants. Methods that
 //! choose their steps are compared at the rows, and statics at its load steps.
 //!
-//! What both runs miss changes nothing. Where a history comes and goes within a step (`run::short`) the finer steps are as many in one
+//! What both runs miss changes nothing. Where a history comes and goes within a step (`unresolved_loads`) the finer steps are as many in one
 //! as it takes to see it, sixteen at most, and without them there is no estimate.
 //!
 //! **No sure digit.** Each place is judged beside its own motion: the way from its start, or from where it would have gone straight
 //! on with the centre of what it hangs together with, whichever is shorter, so that neither a far journey nor another part's swing
 //! hides it. A place that moves by less than a millionth of the structure's size is judged beside the one that moves farthest.
 
-use serde::Serialize;
-
+use super::accuracy::{Accuracy, Estimate};
 use super::observer::{SAFETY, Seen, Sight};
+use super::result::Run;
+use super::simulation::Simulation;
+use super::unresolved_loads::missed;
 use crate::error::{Error, Result};
-use crate::integrators::{State, integrator};
-use crate::model::plan::Plan;
-use crate::model::{Method, Scene};
-use crate::run::{Run, missed};
-use crate::structure::Structure;
+use crate::model::{Method, Model, Scene};
 
 /// Newton's tolerance below which rounding ends the iteration.
 const LEAST_TOLERANCE: f64 = 1e-12;
@@ -41,44 +39,20 @@ const MORE: f64 = 1.5;
 /// Most steps in one of the run's for what comes and goes within it.
 const MOST_PARTS: usize = 16;
 
-/// An estimated error.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Estimate {
-    /// Largest over all instants that are compared, m.
-    pub value: f64,
-    /// "m".
-    pub unit: &'static str,
-    /// How it was found.
-    pub method: String,
-}
-
-/// What is known of a run's errors.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Accuracy {
-    /// The step's part; `None` where nobody asked.
-    pub time: Option<Estimate>,
-    /// The mesh's part.
-    pub space: Option<Estimate>,
-    /// Both together as they are at the rows alone, m: what is comparable with errors that are known there only.
-    pub at_rows: Option<f64>,
-}
-
-impl Accuracy {
-    /// Both parts together, m; `None` where one is not known.
-    pub fn total(&self) -> Option<f64> {
-        Some(self.time.as_ref()?.value + self.space.as_ref()?.value)
-    }
-}
-
-/// Runs a scene and estimates its errors; `on_step` hears of the steps of the run itself.
+/// Runs a model and estimates its errors; `on_step` hears of the steps of the run itself.
 ///
 /// # Errors
-/// Those of [`run`](crate::run::run); [`Error::NoEstimate`] where a finer run fails, [`Error::Inaccurate`] where both parts together are
+/// Those of [`run`](super::run); [`Error::NoEstimate`] where a finer run fails, [`Error::Inaccurate`] where both parts together are
 /// more than a tenth of the motion of their place, and [`Error::Unstable`] for an equilibrium that is.
-pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
-    scene.validate("scene")?;
+pub fn run_estimated<M>(model: M, on_step: impl FnMut(usize)) -> Result<Run>
+where
+    M: TryInto<Model>,
+    Error: From<M::Error>,
+{
+    let model = model.try_into()?;
+    let scene = &model.scene().clone();
     let sight = Sight::of(scene);
-    let (mut own, seen) = sight.run_with_progress(scene, on_step)?;
+    let (mut own, seen) = sight.run_with_progress(Simulation::of(model)?, on_step)?;
     let (finer, in_time, seen_in_time, how) = finer_in_time(&sight, &own)?;
     let time = sight.changes(&seen, &seen_in_time, |_| true);
 
@@ -88,8 +62,9 @@ pub fn run_estimated(scene: &Scene, on_step: impl FnMut(usize)) -> Result<Run> {
     let mut mesh = base.clone();
     mesh.rods.iter_mut().for_each(|rod| rod.elements *= 2);
     let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
-    let mesh = stable(mesh).map_err(|error| no_estimate(&on_mesh, error))?;
-    let (on_finer, seen_on_finer) = sight.run(&mesh).map_err(|error| no_estimate(&on_mesh, error))?;
+    let (on_finer, seen_on_finer) = stable(mesh)
+        .and_then(|mesh| sight.run_with_progress(mesh, |_| ()))
+        .map_err(|error| no_estimate(&on_mesh, error))?;
     let space = sight.changes(seen_of_base, &seen_on_finer, |_| true);
 
     let directions = [&own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
@@ -188,16 +163,13 @@ fn divide(scene: &mut Scene, parts: usize) {
     scene.time.step /= parts as f64;
 }
 
-/// The scene with a step that its explicit method takes.
-fn stable(mut scene: Scene) -> Result<Scene> {
-    let plan = Plan::of(&scene);
-    scene.validate("the finer mesh")?;
-    let structure = Structure::planned(&scene, &plan)?;
-    let state = State::at_start(&structure);
-    if let Err(Error::StepTooLarge { step, largest, .. }) =
-        integrator(&scene, &plan, &structure, &state, &mut Default::default())
-    {
-        divide(&mut scene, (step / largest).ceil() as usize);
+/// A simulation of the scene, with a step that its explicit method takes.
+fn stable(mut scene: Scene) -> Result<Simulation> {
+    match Simulation::new(&scene) {
+        Err(Error::StepTooLarge { step, largest, .. }) => {
+            divide(&mut scene, (step / largest).ceil() as usize);
+            Simulation::new(scene)
+        }
+        simulation => simulation,
     }
-    Ok(scene)
 }

@@ -4,11 +4,12 @@ use std::collections::BTreeSet;
 
 use nalgebra::DVector;
 
+use super::load_scale::{mass, moves};
+use super::result::Run;
+use super::simulation::{Simulation, run_watched};
 use crate::error::{Error, Result};
-use crate::model::plan::Plan;
 use crate::model::{Method, Quantity, Rod, Scene};
-use crate::run::{Run, mass, moves, run_seen};
-use crate::structure::Structure;
+use crate::structure::{PointId, RodId, Structure};
 
 /// A halved step, or element, at least halves the error: what is left is as much as what has changed.
 pub(super) const SAFETY: f64 = 2.0;
@@ -69,11 +70,27 @@ impl Place {
             Of::Rod(name, _) => format!("deflection of the rod `{name}`"),
         }
     }
+}
+
+/// A place of one run's structure.
+enum Found {
+    Point(PointId),
+    /// A rod's deflection at a part of its length.
+    Rod(RodId, f64),
+}
+
+impl Found {
+    fn of(place: &Place, structure: &Structure) -> Result<Found> {
+        Ok(match &place.of {
+            Of::Point(name) => Found::Point(structure.point(name)?),
+            Of::Rod(name, at) => Found::Rod(structure.rod(name)?, *at),
+        })
+    }
 
     fn at(&self, structure: &Structure, u: &DVector<f64>) -> [f64; 2] {
-        match &self.of {
-            Of::Point(name) => structure.position(name, u),
-            Of::Rod(name, at) => [structure.deflection(name, *at, u), 0.0],
+        match *self {
+            Found::Point(point) => structure.position(point, u),
+            Found::Rod(rod, at) => [structure.deflection(rod, at, u), 0.0],
         }
     }
 }
@@ -102,19 +119,22 @@ impl Sight<'_> {
     }
 
     pub(super) fn run(&self, scene: &Scene) -> Result<(Run, Seen)> {
-        self.run_with_progress(scene, |_| ())
+        self.run_with_progress(Simulation::new(scene)?, |_| ())
     }
 
     /// A run of the scene, or of a finer one, which makes several steps in one.
-    pub(super) fn run_with_progress(&self, scene: &Scene, on_step: impl FnMut(usize)) -> Result<(Run, Seen)> {
-        let parts = (scene.steps() / self.scene.steps()).max(1);
+    pub(super) fn run_with_progress(&self, run: Simulation, on_step: impl FnMut(usize)) -> Result<(Run, Seen)> {
+        let parts = (run.model().scene().steps() / self.scene.steps()).max(1);
+        let places: Vec<Found> =
+            self.places.iter().map(|place| Found::of(place, run.structure())).collect::<Result<_>>()?;
         let looks_at = |step: usize| step.is_multiple_of(self.every) || self.scene.is_row(step);
         let mut seen = Seen::default();
-        let run = run_seen(scene, &Plan::of(scene), on_step, |step, structure, state| {
+        let run = run_watched(run, on_step, |now| {
+            let step = now.steps_done();
             if step.is_multiple_of(parts) && looks_at(step / parts) {
-                seen.times.push(state.t);
+                seen.times.push(now.time());
                 seen.rows.push(self.scene.is_row(step / parts));
-                seen.places.extend(self.places.iter().map(|place| place.at(structure, &state.u)));
+                seen.places.extend(places.iter().map(|place| place.at(now.structure(), &now.state().u)));
             }
         })?;
         Ok((run, seen))

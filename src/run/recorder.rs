@@ -2,51 +2,56 @@
 
 use nalgebra::DVector;
 
-use super::Trajectory;
 use super::energy::Energy;
+use super::trajectory::Trajectory;
 use crate::error::{Error, Result};
-use crate::integrators::counts::Counts;
-use crate::integrators::{Motion, State};
+use crate::integrators::{Counts, EquationOfMotion, State};
 use crate::model::plan::Plan;
-use crate::model::{Probe, Quantity, Scene};
-use crate::structure::{Instant as Now, Structure};
+use crate::model::{Method, Probe, Quantity, Scene};
+use crate::structure::{Instant, PointId, RodId, Structure};
 
 /// Writes rows.
-pub struct Recorder<'a> {
-    scene: &'a Scene,
-    structure: &'a Structure,
+pub struct Recorder {
+    columns: Vec<String>,
+    readings: Vec<Reading>,
     /// Memory for all rows, and how many are written.
     rows: Vec<Vec<f64>>,
     written: usize,
     /// There if a probe asks for an acceleration, or for a reaction that follows from it.
-    motion: Option<Motion>,
+    motion: Option<EquationOfMotion>,
     /// Accelerations and multipliers of the equation of motion; zero where nothing asks for them.
     a: DVector<f64>,
     multipliers: DVector<f64>,
-    /// There if the scene asks for energies.
+    /// There if the plan has energies.
     energy: Option<Energy>,
+    /// Whether energies are columns.
+    has_energies: bool,
+    method: Method,
 }
 
-impl<'a> Recorder<'a> {
+impl Recorder {
     pub fn new(
-        scene: &'a Scene,
+        scene: &Scene,
         plan: &Plan,
-        structure: &'a Structure,
+        structure: &Structure,
         state: &State,
         counts: &mut Counts,
-    ) -> Result<Recorder<'a>> {
-        let columns = scene.columns().len();
+    ) -> Result<Recorder> {
+        let columns = scene.columns();
         let rows = (0..=scene.steps()).filter(|step| scene.is_row(*step));
+        let probed = scene.probes.iter().flat_map(|probe| probe.of.iter().map(move |quantity| (probe, *quantity)));
         let zeros = || DVector::zeros(structure.size());
         Ok(Recorder {
-            scene,
-            structure,
-            rows: rows.map(|_| Vec::with_capacity(columns)).collect(),
+            readings: probed.map(|(probe, quantity)| Reading::of(structure, probe, quantity)).collect::<Result<_>>()?,
+            rows: rows.map(|_| Vec::with_capacity(columns.len())).collect(),
+            columns,
             written: 0,
-            motion: plan.acceleration.then(|| Motion::new(structure, counts)).transpose()?,
+            motion: plan.acceleration.then(|| EquationOfMotion::new(structure, counts)).transpose()?,
             a: zeros(),
             multipliers: zeros(),
             energy: plan.energy.then(|| Energy::new(scene, structure, state)),
+            has_energies: scene.has_energies(),
+            method: scene.time.method,
         })
     }
 
@@ -62,74 +67,96 @@ impl<'a> Recorder<'a> {
         }
     }
 
-    pub fn work(&mut self, before: &State, after: &State) {
+    pub fn work(&mut self, structure: &Structure, before: &State, after: &State) {
         if let Some(energy) = &mut self.energy {
-            energy.work(self.structure, before, after);
+            energy.work(structure, before, after);
         }
     }
 
-    pub fn record(&mut self, state: &State, multipliers: Option<&DVector<f64>>, counts: &mut Counts) -> Result<()> {
-        let structure = self.structure;
+    pub fn record(
+        &mut self,
+        structure: &Structure,
+        state: &State,
+        multipliers: Option<&DVector<f64>>,
+        counts: &mut Counts,
+    ) -> Result<()> {
         if let Some(motion) = &mut self.motion {
             motion.accelerate(structure, &state.u, state.t, counts);
             self.a.copy_from(&motion.a);
             structure.take_multipliers_into(&mut self.a, &mut self.multipliers);
         }
-        let now = Now { u: &state.u, a: &self.a, t: state.t, multipliers: multipliers.unwrap_or(&self.multipliers) };
+        let multipliers = multipliers.unwrap_or(&self.multipliers);
+        let now = Instant { u: &state.u, a: &self.a, t: state.t, multipliers };
         let Some(row) = self.rows.get_mut(self.written) else { return Ok(()) };
         row.push(state.t);
-        for (probe, quantity) in self.scene.probes.iter().flat_map(|probe| probe.of.iter().map(move |of| (probe, of))) {
-            match look(structure, probe, *quantity, state, now) {
-                Value::Vector(vector) => row.extend(vector),
-                Value::Number(number) => row.push(number),
+        for reading in &self.readings {
+            match *reading {
+                Reading::Position(point) => row.extend(structure.position(point, &state.u)),
+                Reading::Velocity(point) => row.extend(structure.at_point(point, &state.v)),
+                Reading::Acceleration(point) => row.extend(structure.at_point(point, now.a)),
+                Reading::Reaction(point) => row.extend(structure.reaction(point, now)),
+                Reading::ForceOnRod(point, rod) => row.extend(structure.force_on_rod(point, rod, now)),
+                Reading::Deflection(rod, at) => row.push(structure.deflection(rod, at, &state.u)),
             }
         }
         let energies = self.energy.as_mut().map(|energy| energy.row(structure, state));
-        if self.scene.has_energies() {
+        if self.has_energies {
             row.extend(energies.iter().flatten());
         }
         if !row.iter().all(|value| value.is_finite()) {
             return Err(Error::NotFinite { quantity: "the output", time: state.t, step: state.step });
         }
         if let (Some(energy), Some(energies)) = (&mut self.energy, energies) {
-            energy.check(energies, structure, state, self.scene.time.method)?;
+            energy.check(energies, structure, state, self.method)?;
         }
         self.written += 1;
         Ok(())
     }
 
     /// Energies that do not balance.
-    pub fn doubt(&self) -> Option<String> {
-        self.energy.as_ref()?.warning(self.structure, self.scene.time.method)
+    pub fn doubt(&self, structure: &Structure) -> Option<String> {
+        self.energy.as_ref()?.warning(structure, self.method)
     }
 
-    pub fn trajectory(mut self) -> Trajectory {
+    /// Names of the columns.
+    pub fn columns(&self) -> &[String] {
+        &self.columns
+    }
+
+    /// The rows written so far.
+    pub fn rows(&self) -> &[Vec<f64>] {
+        self.rows.get(..self.written).unwrap_or_default()
+    }
+
+    pub fn into_trajectory(mut self) -> Trajectory {
         self.rows.truncate(self.written);
-        Trajectory { columns: self.scene.columns(), rows: self.rows }
+        Trajectory { columns: self.columns, rows: self.rows }
     }
 }
 
-/// What a probe reads.
-enum Value {
-    Vector([f64; 2]),
-    Number(f64),
+/// A quantity of a probe, and where it is read.
+enum Reading {
+    Position(PointId),
+    Velocity(PointId),
+    Acceleration(PointId),
+    Reaction(PointId),
+    ForceOnRod(PointId, RodId),
+    /// Of a rod, at a fraction of its length.
+    Deflection(RodId, f64),
 }
 
-/// Reads one quantity of a probe; the scene was validated, so that what the quantity needs is there.
-fn look(structure: &Structure, probe: &Probe, quantity: Quantity, state: &State, now: Now) -> Value {
-    let point = probe.point.as_deref().unwrap_or_default();
-    let rod = probe.rod.as_deref();
-    Value::Vector(match quantity {
-        Quantity::Position => structure.position(point, &state.u),
-        Quantity::Velocity => structure.at_point(point, &state.v),
-        Quantity::Acceleration => structure.at_point(point, now.a),
-        Quantity::Reaction => match rod {
-            Some(rod) => structure.force_on_rod(point, rod, now),
-            None => structure.reaction(point, now),
-        },
-        Quantity::Deflection => {
-            let place = probe.at.unwrap_or_default();
-            return Value::Number(structure.deflection(rod.unwrap_or_default(), place, &state.u));
-        }
-    })
+impl Reading {
+    fn of(structure: &Structure, probe: &Probe, quantity: Quantity) -> Result<Reading> {
+        let point = || structure.point(probe.point.as_deref().unwrap_or_default());
+        Ok(match (quantity, &probe.rod) {
+            (Quantity::Position, _) => Reading::Position(point()?),
+            (Quantity::Velocity, _) => Reading::Velocity(point()?),
+            (Quantity::Acceleration, _) => Reading::Acceleration(point()?),
+            (Quantity::Reaction, Some(rod)) => Reading::ForceOnRod(point()?, structure.rod(rod)?),
+            (Quantity::Reaction, None) => Reading::Reaction(point()?),
+            (Quantity::Deflection, rod) => {
+                Reading::Deflection(structure.rod(rod.as_deref().unwrap_or_default())?, probe.at.unwrap_or_default())
+            }
+        })
+    }
 }

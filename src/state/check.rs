@@ -4,7 +4,7 @@ use serde::de::DeserializeOwned;
 
 use super::{CableState, ElementState, ThermalModel};
 use crate::error::Result;
-use crate::model::{Refused, read_json};
+use crate::model::{Refusal, read_json, refuse_in_file};
 
 /// How far e0 may be from the straight unstretched element of `theta`, in its own length.
 const STRAIGHT: f64 = 1e-9;
@@ -19,7 +19,7 @@ impl ElementState {
     }
 
     /// What an element has to fulfil beyond the types of its numbers.
-    fn check(&self) -> std::result::Result<(), Refused> {
+    fn check(&self) -> std::result::Result<(), Refusal> {
         let &ElementState { l, h, w, theta, E, nu, rho, alpha, dT, .. } = self;
         let common = Common { l, h, w, theta, E, nu, rho, alpha, dT, e0: &self.e0, points: &self.points };
         common.check_numbers()?;
@@ -43,7 +43,7 @@ impl CableState {
     }
 
     /// What a cable element has to fulfil beyond the types of its numbers.
-    fn check(&self) -> std::result::Result<(), Refused> {
+    fn check(&self) -> std::result::Result<(), Refusal> {
         let &CableState { l, h, w, theta, E, nu, rho, alpha, dT, .. } = self;
         let common = Common { l, h, w, theta, E, nu, rho, alpha, dT, e0: &self.e0, points: &self.points };
         common.check_numbers()?;
@@ -58,9 +58,9 @@ impl CableState {
 }
 
 /// A state that fulfils what it has to.
-fn read<T: DeserializeOwned>(text: &str, file: &str, check: fn(&T) -> std::result::Result<(), Refused>) -> Result<T> {
+fn read<T: DeserializeOwned>(text: &str, file: &str, check: fn(&T) -> std::result::Result<(), Refusal>) -> Result<T> {
     let state = read_json(text, file, "state")?;
-    check(&state).map_err(|refused| refused.in_file(text, file))?;
+    check(&state).map_err(|refused| refuse_in_file(refused, text, file))?;
     Ok(state)
 }
 
@@ -94,7 +94,7 @@ impl Straight {
 }
 
 impl Common<'_> {
-    fn check_numbers(&self) -> std::result::Result<(), Refused> {
+    fn check_numbers(&self) -> std::result::Result<(), Refusal> {
         let positive = [("l", self.l), ("h", self.h), ("w", self.w), ("E", self.E), ("rho", self.rho)];
         for (key, value) in positive {
             if !(value.is_finite() && value > 0.0) {
@@ -118,7 +118,7 @@ impl Common<'_> {
     }
 
     /// e0 is a straight, unstretched element of the length l and the inclination theta, which has the `nodes`.
-    fn check_initial(&self, nodes: &[[f64; 2]]) -> std::result::Result<(), Refused> {
+    fn check_initial(&self, nodes: &[[f64; 2]]) -> std::result::Result<(), Refusal> {
         let distances = self.e0.iter().zip(nodes.as_flattened()).map(|(own, straight)| (own - straight).abs());
         let away = distances.fold(0.0, f64::max);
         if self.e0.iter().all(|entry| entry.is_finite()) && away <= STRAIGHT * (1.0 + self.l) {
@@ -138,13 +138,13 @@ impl Common<'_> {
              last node is {length:?} from the first",
             self.l
         );
-        Err(Refused { key: "e0".into(), value: format!("{away:.1e} off"), allowed })
+        Err(Refusal { key: "e0".into(), value: format!("{away:.1e} off"), allowed })
     }
 
-    fn check_points(&self, highest: f64, heights: &str) -> std::result::Result<(), Refused> {
+    fn check_points(&self, highest: f64, heights: &str) -> std::result::Result<(), Refusal> {
         if self.points.is_empty() {
             let allowed = "one point [x, y] at least".into();
-            return Err(Refused { key: "points".into(), value: "[]".into(), allowed });
+            return Err(Refusal { key: "points".into(), value: "[]".into(), allowed });
         }
         for (n, [x, y]) in self.points.iter().enumerate() {
             if !(0.0..=self.l).contains(x) {
@@ -158,6 +158,6 @@ impl Common<'_> {
     }
 }
 
-fn refuse(key: &str, value: f64, allowed: &str) -> std::result::Result<(), Refused> {
-    Err(Refused { key: key.into(), value: format!("{value:?}"), allowed: allowed.into() })
+fn refuse(key: &str, value: f64, allowed: &str) -> std::result::Result<(), Refusal> {
+    Err(Refusal { key: key.into(), value: format!("{value:?}"), allowed: allowed.into() })
 }

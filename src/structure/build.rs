@@ -6,33 +6,48 @@ use std::sync::Arc;
 use nalgebra::{DVector, Vector2};
 
 use super::constraints::rows;
+use super::memory::check_memory;
+use super::point::{Node, Point};
 use super::rod::Rod;
 use super::uniform_elements::stretched;
+use super::unknown_kind::Kind;
 use super::unknowns::{Numbering, condensed, with_multipliers};
-use super::{Kind, Node, Point, Structure, mobility};
+use super::{Structure, mobility};
 use crate::elements::Meaning;
 use crate::error::{Error, Result};
 use crate::model::plan::Plan;
-use crate::model::{Constraints, Method, Motion, Scene, Start, times_of};
-
-/// More memory than this for one matrix, in bytes, is refused: a structure that needs it is not a few rods.
-const MOST_BYTES: usize = 2 << 30;
+use crate::model::{Constraints, Method, Model, Motion, Scene, Start, times_of};
 
 impl Structure {
-    /// Builds the structure of a (validated) scene.
+    /// Builds the structure of a model.
     ///
     /// # Errors
     /// [`Error::TooLarge`] where the matrices would not fit into memory; [`Error::Drifts`] for statics of a structure
     /// that can move without a strain.
-    pub fn new(scene: &Scene) -> Result<Structure> {
-        Structure::planned(scene, &Plan::of(scene))
+    pub fn new<M>(model: M) -> Result<Structure>
+    where
+        M: TryInto<Model>,
+        Error: From<M::Error>,
+    {
+        let model = model.try_into()?;
+        Structure::of(&model, &Plan::of(model.scene()))
     }
 
-    /// The same with a plan that computes more than the scene needs.
+    /// Builds the structure of a model with a plan of its own, which may compute more than the model needs.
     ///
     /// # Errors
     /// Those of [`new`](Structure::new).
-    pub fn planned(scene: &Scene, plan: &Plan) -> Result<Structure> {
+    pub fn planned<M>(model: M, plan: &Plan) -> Result<Structure>
+    where
+        M: TryInto<Model>,
+        Error: From<M::Error>,
+    {
+        Structure::of(&model.try_into()?, plan)
+    }
+
+    /// Builds the structure of a model, without a generic type.
+    pub(crate) fn of(model: &Model, plan: &Plan) -> Result<Structure> {
+        let scene = model.scene();
         let mut rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, plan)).collect();
         let points = points(scene, &rods);
         if scene.time.method == Method::Static {
@@ -55,7 +70,7 @@ impl Structure {
             shares: shares(&rods, &kinds),
             rods: rods.into(),
             kinds,
-            points,
+            points: points.into_iter().collect(),
             rows,
             layout: Arc::new(layout),
             gravity: DVector::zeros(size),
@@ -68,7 +83,8 @@ impl Structure {
             unit_forces: DVector::zeros(size),
         };
         structure.rods.iter().for_each(|rod| rod.mesh.add_gravity(&mut structure.gravity));
-        structure.force_places = scene.forces.iter().map(|force| structure.components(&force.point)).collect();
+        let places = scene.forces.iter().map(|force| Ok(structure.components(structure.point(&force.point)?)));
+        structure.force_places = places.collect::<Result<_>>()?;
         structure.unit_forces = structure.unit_forces();
         if scene.rods.iter().any(|rod| scene.heat(rod).is_some_and(|heat| heat.start == Start::Relaxed)) {
             structure.start = structure.relaxed(scene);
@@ -100,7 +116,8 @@ impl Structure {
         let thermal = self.thermal_strains(0.0);
         for ((rod, data), eps_t) in scene.rods.iter().zip(&*self.rods).zip(thermal) {
             let about = scene.supports.first().map_or(&rod.from, |support| &support.point);
-            let origin = Vector2::from(scene.points[&rod.from]) - Vector2::from(self.points[about].start);
+            let origin =
+                Vector2::from(scene.points[&rod.from]) - Vector2::from(scene.position(about).unwrap_or_default());
             for (n, vector) in data.chain.iter().enumerate() {
                 let value = stretched(data.nodal(n), data.mesh.stress_free(eps_t), origin, data.along);
                 vector.set(&value, &mut u);
@@ -133,17 +150,6 @@ impl Structure {
     }
 }
 
-impl Kind {
-    /// One over the length over which a force on the unknown is judged; 0 for multipliers.
-    fn weight(&self) -> f64 {
-        match self {
-            Kind::Position => 1.0,
-            Kind::Slope(length) => 1.0 / length,
-            Kind::Multiplier => 0.0,
-        }
-    }
-}
-
 /// What a change of each unknown is to an element ([`Structure::moved`]); to the shortest one, where several meet.
 fn shares(rods: &[Rod], kinds: &[Kind]) -> DVector<f64> {
     let mut shares = DVector::zeros(kinds.len());
@@ -166,14 +172,6 @@ fn times(scene: &Scene) -> Vec<f64> {
     let of_rods = scene.rods.iter().filter_map(|rod| Some(scene.heat(rod)?.history.as_slice()));
     let of_forces = scene.forces.iter().filter_map(|force| force.history.as_deref());
     times_of(of_rods.chain(of_forces), scene.time.end)
-}
-
-/// Refuses a matrix that would not fit into memory.
-pub(super) fn check_memory(unknowns: usize, band: usize, bytes: usize) -> Result<()> {
-    if bytes > MOST_BYTES {
-        return Err(Error::TooLarge { unknowns, band, gigabytes: bytes as f64 / 1e9 });
-    }
-    Ok(())
 }
 
 /// The named points, with the node that each of the rods has there.

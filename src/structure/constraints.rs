@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DVector, Vector2};
 
-use super::{ConstraintRow, Node, Point, Structure};
+use super::Structure;
+use super::point::{Node, Point};
 use crate::linear::Bordered;
 use crate::model::{Element, Scene, Support};
 
@@ -122,12 +123,5 @@ impl Structure {
     /// Largest |Φ(q)|, m, and |Φ_q v|, m/s, of the multipliers' form, at displacement `u` and velocity `v`.
     pub fn constraint_residual(&self, u: &DVector<f64>, v: &DVector<f64>) -> [f64; 2] {
         [u, v].map(|x| self.rows.iter().map(|row| row.of(x).abs()).max_by(f64::total_cmp).unwrap_or(0.0))
-    }
-}
-
-impl ConstraintRow {
-    /// Its Φ_q x.
-    fn of(&self, x: &DVector<f64>) -> f64 {
-        self.terms.iter().map(|&(_, unknown, weight)| weight * x[unknown]).sum()
     }
 }

@@ -9,9 +9,9 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DVector, Vector2, Vector3};
 
-use super::Point;
 use super::constraints::{Row, pin, supports};
 use super::numbering::outwards;
+use super::point::Point;
 use super::rod::Rod;
 use crate::elements::Meaning;
 use crate::error::{Error, Result};
@@ -85,7 +85,7 @@ impl Triangle {
             columns().max().zip(columns().min()).map_or(0, |(last, first)| last - first)
         };
         let width = 1 + rows.iter().map(reach).max().unwrap_or(0);
-        super::build::check_memory(size, width, size.saturating_mul(width).saturating_mul(size_of::<f64>()))?;
+        super::memory::check_memory(size, width, size.saturating_mul(width).saturating_mul(size_of::<f64>()))?;
         Ok(Triangle { size, width, entries: vec![0.0; size * width] })
     }
 

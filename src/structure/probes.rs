@@ -1,10 +1,14 @@
-//! What a probe looks at: positions, reactions, deflections. A point has to be one of the scene's: other names panic.
+//! What can be read of a structure: positions, nodal coordinates, reactions, deflections.
 
 use nalgebra::{DVector, Vector2};
 
+use super::Structure;
 use super::node_dofs::Components;
+use super::point::Node;
 use super::rod_elements::Loaded;
-use super::{Node, Structure};
+use crate::elements::Meaning;
+use crate::error::{Error, Result};
+use crate::model::nearest;
 
 /// What acts at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -19,23 +23,62 @@ pub struct Instant<'a> {
     pub multipliers: &'a DVector<f64>,
 }
 
+/// A point of a structure, found by [`Structure::point`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PointId(usize);
+
+/// A rod of a structure, found by [`Structure::rod`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RodId(usize);
+
 impl Structure {
-    /// Position of a point of the scene.
-    pub fn position(&self, point: &str, u: &DVector<f64>) -> [f64; 2] {
+    /// The point of that name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn point(&self, name: &str) -> Result<PointId> {
+        let known = || self.points.iter().map(|(known, _)| known.as_str());
+        known().position(|known| known == name).map(PointId).ok_or_else(|| unknown("point", name, known()))
+    }
+
+    /// The rod of that name.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] with the nearest name.
+    pub fn rod(&self, name: &str) -> Result<RodId> {
+        let known = || self.rods.iter().map(|rod| rod.name.as_str());
+        known().position(|known| known == name).map(RodId).ok_or_else(|| unknown("rod", name, known()))
+    }
+
+    /// Position of a point, m.
+    pub fn position(&self, point: PointId, u: &DVector<f64>) -> [f64; 2] {
         let [x, y] = self.at_point(point, u);
-        let start = self.points[point].start;
+        let start = self.points[point.0].1.start;
         [start[0] + x, start[1] + y]
     }
 
     /// A point's entries of a vector of unknowns, such as its velocity; zero where it is held.
-    pub fn at_point(&self, point: &str, vector: &DVector<f64>) -> [f64; 2] {
+    pub fn at_point(&self, point: PointId, vector: &DVector<f64>) -> [f64; 2] {
         self.components(point).get(vector).into()
     }
 
     /// The point's position among the unknowns: that of the first rod there.
-    pub(super) fn components(&self, point: &str) -> Components {
-        let Node { rod, position, .. } = self.points[point].nodes[0];
+    pub(super) fn components(&self, point: PointId) -> Components {
+        let Node { rod, position, .. } = self.points[point.0].1.nodes[0];
         self.rods[rod].chain[position]
+    }
+
+    /// Nodal coordinates of a rod at the displacement `u`, vector by vector from its beginning: r, r_y, then r_j, r_xj, r_yj, r_k,
+    /// r_yk for each element of the paper, or r, r_x, then r_k, r_xk. Positions in m, slopes without unit.
+    pub fn nodal_coordinates(&self, rod: RodId, u: &DVector<f64>) -> Vec<[f64; 2]> {
+        let rod = &self.rods[rod.0];
+        let t = rod.along.normalize();
+        let initial = |(meaning, place): (Meaning, f64)| match meaning {
+            Meaning::Position => rod.from + place * rod.along,
+            Meaning::SlopeX => t,
+            Meaning::SlopeY => Vector2::new(-t.y, t.x),
+        };
+        rod.chain.iter().enumerate().map(|(n, vector)| (initial(rod.nodal(n)) + vector.get(u)).into()).collect()
     }
 
     /// Unknown of a component (0: x, 1: y) of a nodal vector of a rod, by its place in the rod's order: r, r_y, then r_j,
@@ -49,8 +92,8 @@ impl Structure {
     ///
     /// With the chord c and the displacements δ there and Δ of the end, both from that of the beginning, the distance is
     /// c × (δ − fraction · Δ)/|c|: no difference of large numbers for a small deflection.
-    pub fn deflection(&self, rod: &str, fraction: f64, u: &DVector<f64>) -> f64 {
-        let Some(rod) = self.rods.iter().find(|known| known.name == rod) else { return f64::NAN };
+    pub fn deflection(&self, rod: RodId, fraction: f64, u: &DVector<f64>) -> f64 {
+        let rod = &self.rods[rod.0];
         let axis = rod.mesh.axis(fraction * rod.elements as f64, u);
         let [start, end] = [0, rod.chain.len() - 2].map(|vector| rod.chain[vector].get(u));
         let chord = rod.along * rod.elements as f64 + end - start;
@@ -58,17 +101,17 @@ impl Structure {
     }
 
     /// Force of the supports on the structure at a point, N.
-    pub fn reaction(&self, point: &str, now: Instant) -> [f64; 2] {
+    pub fn reaction(&self, point: PointId, now: Instant) -> [f64; 2] {
         let point_force = if self.rows.is_empty() { self.point_force(point, now.t) } else { Vector2::zeros() };
-        let on_rods = self.points[point].nodes.iter().map(|node| self.node_force(*node, now));
+        let on_rods = self.points[point.0].1.nodes.iter().map(|node| self.node_force(*node, now));
         (on_rods.sum::<Vector2<f64>>() - point_force).into()
     }
 
     /// All that acts on one rod at a point but for its weight, N: other rods, supports and point forces, which the point's
-    /// first rod takes in the multipliers' form.
-    pub fn force_on_rod(&self, point: &str, rod: &str, now: Instant) -> [f64; 2] {
-        let nodes = &self.points[point].nodes;
-        let Some(node) = nodes.iter().find(|node| self.rods[node.rod].name == rod) else { return [f64::NAN; 2] };
+    /// first rod takes in the multipliers' form. Zero where the rod does not meet the point.
+    pub fn force_on_rod(&self, point: PointId, rod: RodId, now: Instant) -> [f64; 2] {
+        let nodes = &self.points[point.0].1.nodes;
+        let Some(node) = nodes.iter().find(|node| node.rod == rod.0) else { return [0.0; 2] };
         let multiplied = !self.rows.is_empty() && *node == nodes[0];
         let point_force = if multiplied { self.point_force(point, now.t) } else { Vector2::zeros() };
         (self.node_force(*node, now) + point_force).into()
@@ -91,9 +134,14 @@ impl Structure {
         rod.mesh.force_at(node.position, &Loaded { u: now.u, a: now.a, eps_t, weight })
     }
 
-    fn point_force(&self, point: &str, t: f64) -> Vector2<f64> {
-        let its = self.forces.iter().filter(|force| force.point == point);
+    fn point_force(&self, point: PointId, t: f64) -> Vector2<f64> {
+        let its = self.forces.iter().filter(|force| force.point == self.points[point.0].0);
         let full: Vector2<f64> = its.map(|force| Vector2::from(force.at(t))).sum();
         if self.grows { t * full } else { full }
     }
+}
+
+fn unknown<'a>(what: &'static str, name: &str, known: impl Iterator<Item = &'a str>) -> Error {
+    let nearest = nearest(name, known).map(|name| format!("; nearest: `{name}`")).unwrap_or_default();
+    Error::Unknown { what, name: name.into(), nearest }
 }

@@ -4,10 +4,10 @@ use std::fmt::Debug;
 
 use nalgebra::Vector2;
 
-use super::Kind;
 use super::node_dofs::Components;
 use super::rod_elements::Mesh;
 use super::uniform_elements::Equal;
+use super::unknown_kind::Kind;
 use crate::elements::{Ancf, Beam, Cable, Law, Meaning, NodalVector, PrintedShear, ThermalStrain};
 use crate::equations::force::Element;
 use crate::equations::shape::Vector14;
@@ -20,6 +20,8 @@ use crate::model::{self, Form, Scene, Temperature, ThermalModel};
 pub(super) struct Rod {
     pub name: String,
     pub elements: usize,
+    /// Initial position of its beginning, m.
+    pub from: Vector2<f64>,
     /// From node i to node k of an element, m.
     pub along: Vector2<f64>,
     /// Height of the section, m.
@@ -48,6 +50,7 @@ impl Rod {
         Rod {
             name: rod.name.clone(),
             elements: rod.elements,
+            from,
             along,
             height: scene.section(rod).height,
             heat: scene.heat(rod).map(|heat| Heat { temperature: heat.clone(), alpha: scene.material(rod).alpha }),

@@ -6,7 +6,8 @@
 
 use nalgebra::DVector;
 
-use super::{Kind, Matrix, Structure};
+use super::unknown_kind::Kind;
+use super::{Matrix, Structure};
 use crate::elements::ThermalStrain;
 
 impl Structure {

@@ -4,11 +4,13 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Matrix2, Rotation2, Vector2};
 
+use super::constraint_row::ConstraintRow;
 use super::constraints::{Row, clamped, held_directions};
 use super::node_dofs::Components;
 use super::numbering::order;
+use super::point::Point;
 use super::rod::Rod;
-use super::{ConstraintRow, Kind, Point};
+use super::unknown_kind::Kind;
 use crate::linear::{BlockLayout, Layout};
 use crate::model::Scene;
 

@@ -1,10 +1,10 @@
 //! `fixtures/references.json`: reference solutions of statics and vibration, and the rods that are held against them.
 
-use ancf::elements::{Ancf, Beam, Cable, Meaning, NodalVector};
-use ancf::integrators::counts::Counts;
-use ancf::integrators::{self, State};
+use ancf::integrators::Counts;
+use ancf::integrators::State;
+use ancf::internals::elements::{Ancf, Beam, Cable, Meaning, NodalVector};
+use ancf::internals::structure::Structure;
 use ancf::model::{Element, Poisson, Scene};
-use ancf::structure::Structure;
 use nalgebra::{DVector, Vector2};
 use serde_json::Value;
 
@@ -168,7 +168,7 @@ impl Shape {
 
     /// Displacement of the tip.
     pub fn tip(&self) -> Vector2<f64> {
-        self.structure.at_point("a", &self.u).into()
+        self.structure.at_point(self.structure.point("a").unwrap(), &self.u).into()
     }
 
     /// The nodal vectors of a meaning, one after the other: displacements, or slopes.
@@ -193,12 +193,18 @@ impl Shape {
 
 /// The rod after the last load step.
 pub fn solve(scene: &Scene) -> Shape {
-    scene.validate("scene").unwrap();
+    scene.clone().build().unwrap();
     let structure = Structure::new(scene).unwrap();
     let mut counts = Counts::default();
     let mut state = State { step: 0, t: 0.0, u: structure.start().clone(), v: DVector::zeros(structure.size()) };
-    let mut method =
-        integrators::integrator(scene, &ancf::model::plan::Plan::of(scene), &structure, &state, &mut counts).unwrap();
+    let mut method = ancf::internals::integrators::integrator(
+        scene,
+        &ancf::internals::model::Plan::of(scene),
+        &structure,
+        &state,
+        &mut counts,
+    )
+    .unwrap();
     for step in 1..=scene.steps() {
         method.step(&structure, &mut state, scene.time_after(step), &mut counts).unwrap();
     }

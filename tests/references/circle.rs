@@ -1,8 +1,8 @@
 //! Cantilevers bent to a circle by a moment.
 
-use ancf::elements::Meaning;
+use ancf::internals::elements::Meaning;
+use ancf::internals::structure::Structure;
 use ancf::model::Scene;
-use ancf::structure::Structure;
 use nalgebra::{DVector, Matrix2, Vector2};
 
 use crate::common::references::{

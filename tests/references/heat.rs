@@ -1,6 +1,6 @@
 //! A straight heated rod: free, and between walls.
 
-use ancf::elements::Meaning;
+use ancf::internals::elements::Meaning;
 use ancf::model::{Quantity, Scene, Support, Temperature, ThermalModel};
 use ancf::run::run;
 

@@ -1,8 +1,8 @@
 //! Angular frequencies of bending, straight and at rest.
 
-use ancf::elements::Meaning;
+use ancf::internals::elements::Meaning;
+use ancf::internals::structure::Structure;
 use ancf::model::{Direction, Method, Scene, Support};
-use ancf::structure::Structure;
 use nalgebra::DVector;
 
 use crate::common::references::{Kind, References, assert_stored, rod, vectors};

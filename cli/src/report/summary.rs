@@ -5,11 +5,11 @@ use std::io::{self, Write};
 use serde::{Serialize, Serializer};
 
 use super::{energy_imbalance, final_time, final_values};
-use ancf::integrators::counts::Counts;
-use ancf::model::plan::{Part, Plan};
-use ancf::model::{Method, Scene};
+use ancf::integrators::Counts;
+use ancf::internals::model::{Part, Plan};
+use ancf::model::{Method, Model, Scene};
+use ancf::run::Estimate;
 use ancf::run::Run;
-use ancf::run::estimate::Estimate;
 
 /// Writes the content of `summary.json`: the scene, what the run took, where the probes ended, and what is known of
 /// the accuracy.
@@ -112,7 +112,7 @@ mod tests {
     fn summary_holds_the_scene_the_counts_and_the_end() {
         let (scene, run) = run();
         let summary = summary(&scene, &run);
-        assert_eq!(Scene::parse(&summary["scene"].to_string(), "summary").unwrap(), scene);
+        assert_eq!(Model::parse(&summary["scene"].to_string(), "summary").unwrap().into_scene(), scene);
         assert_eq!(summary["method"], "energy-momentum");
         assert_eq!((&summary["steps"], &summary["newton_iterations"]), (&json!(1), &json!(2)));
         let counts = json!({"steps": 1, "rejected": 0, "newton_iterations": 2, "force_calls": 3, "tangent_calls": 4,

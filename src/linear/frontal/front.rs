@@ -1,6 +1,7 @@
 //! One element's front: its coordinates and the border's beside it, of which those that no later element touches are eliminated.
 
-use super::{MOST_BORDER_UNKNOWNS, NONE, Number, Place, SHARED};
+use super::place::{MOST_BORDER_UNKNOWNS, NONE, Place, SHARED};
+use crate::linear::number::Number;
 
 /// The least part of the largest entry that serves as a pivot where it stands: changing rows costs more than the digit that may be
 /// lost with it.

@@ -7,7 +7,7 @@ use serde::de::IgnoredAny;
 const LONGEST_QUOTE: usize = 60;
 
 /// Byte offset where the value of `key`, such as `rods[0].from`, begins. The text has to be JSON up to there only.
-pub(crate) fn start_of(text: &str, key: &str) -> Option<usize> {
+pub fn start_of(text: &str, key: &str) -> Option<usize> {
     let mut at = skip_space(text, 0);
     let mut path = key;
     while !path.is_empty() {
@@ -23,7 +23,7 @@ pub(crate) fn start_of(text: &str, key: &str) -> Option<usize> {
 }
 
 /// The value that begins at byte `at`, as it is written; up to the next delimiter if it is not JSON, like `NaN`.
-pub(crate) fn value_at(text: &str, at: usize) -> String {
+pub fn value_at(text: &str, at: usize) -> String {
     let end = read::<IgnoredAny>(text, at).map(|(_, end)| end);
     let tail = text.get(at..).unwrap_or_default();
     let written = match end {
@@ -34,7 +34,7 @@ pub(crate) fn value_at(text: &str, at: usize) -> String {
 }
 
 /// `text` on one line, without control characters, and shortened if it is long.
-pub(crate) fn quote(text: &str) -> String {
+pub fn quote(text: &str) -> String {
     let line = text.split_whitespace().collect::<Vec<_>>().join(" ").replace(char::is_control, "\u{fffd}");
     match line.char_indices().nth(LONGEST_QUOTE) {
         Some((cut, _)) => format!("{}…", line.get(..cut).unwrap_or_default()),
@@ -43,7 +43,7 @@ pub(crate) fn quote(text: &str) -> String {
 }
 
 /// Line and column (in characters) of byte `at`, both counted from 1.
-pub(crate) fn line_and_column(text: &str, at: usize) -> (usize, usize) {
+pub fn line_and_column(text: &str, at: usize) -> (usize, usize) {
     let before = text.get(..at).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
     let column = before.get(line_start..).unwrap_or_default().chars().count() + 1;

@@ -5,8 +5,9 @@
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use crate::model::validate::{Check, require};
-use crate::model::{Method, Scene};
+use crate::model::check::{Check, require};
+use crate::model::choice::Method;
+use crate::model::scene::Scene;
 
 /// Which of these keys a text gives.
 #[derive(Deserialize)]
@@ -32,7 +33,7 @@ struct GivenTime {
 }
 
 /// Refuses a `scene` whose `text` leaves out what it needs.
-pub(crate) fn check_missing(scene: &Scene, text: &str) -> Check {
+pub fn check_missing(scene: &Scene, text: &str) -> Check {
     // A text that is a scene has these parts.
     let Ok(given) = serde_json::from_str::<Given>(text) else { return Ok(()) };
     let ends = given.time.end.is_some() || scene.time.method == Method::Static;

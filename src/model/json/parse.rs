@@ -3,80 +3,45 @@
 use serde::de::DeserializeOwned;
 use serde_json::error::Category;
 
-use super::locate::{line_and_column, quote, start_of, value_at};
+use super::locate::{line_and_column, start_of, value_at};
 use super::missing::check_missing;
 use super::shape::Object;
+use super::words::Words;
 use crate::error::{Error, Result};
-use crate::model::validate::{Refusal, check};
-use crate::model::{Scene, Schema};
+use crate::model::check::Refusal;
+use crate::model::checks::check;
+use crate::model::choice::Schema;
+use crate::model::nearest::or_nearest;
+use crate::model::scene::Scene;
 
-/// How much of a name is compared when the nearest known one is looked for, in characters.
-const COMPARED: usize = 64;
-
-impl Scene {
-    /// Reads and validates the text of a scene file; `file` is the name used in messages.
-    ///
-    /// # Errors
-    /// [`Error::Scene`] with the place in the file, the key, the value as it is written, and what is allowed.
-    pub fn parse(text: &str, file: &str) -> Result<Scene> {
-        let scene = read(text).map_err(|(refusal, place)| refusal.into_error(file, Some(place)))?;
-        check_missing(&scene, text).and_then(|()| check(&scene)).map_err(|mut refusal| {
-            if let Some(at) = start_of(text, &refusal.key) {
-                refusal.value = value_at(text, at);
-            }
-            let place = place_of(text, &refusal.key);
-            refusal.into_error(file, Some(place))
-        })?;
-        Ok(scene)
-    }
-
-    /// Validates a scene that was built or changed in memory; `name` is used in messages.
-    ///
-    /// # Errors
-    /// [`Error::Scene`] with the key, the value and what is allowed.
-    pub fn validate(&self, name: &str) -> Result<()> {
-        check(self).map_err(|refusal| refusal.into_error(name, None))
-    }
-}
-
-impl Refusal {
-    pub(crate) fn into_error(self, file: &str, place: Option<(usize, usize)>) -> Error {
-        let file = place.map_or(file.to_string(), |(line, column)| format!("{file}:{line}:{column}"));
-        let key = match quote(&self.key) {
-            // A key of spaces only.
-            key if key.is_empty() => format!("{:?}", self.key),
-            key => key,
-        };
-        Error::Scene { file, key, value: self.value, allowed: self.allowed }
-    }
-}
-
-/// A value that is not allowed in a file other than a scene's.
-#[derive(Debug)]
-pub(crate) struct Refused {
-    /// Path of its key.
-    pub(crate) key: String,
-    /// The value, where it cannot be quoted from the file.
-    pub(crate) value: String,
-    /// What is allowed.
-    pub(crate) allowed: String,
-}
-
-impl Refused {
-    /// The error, with the value as it is written and its place in the file.
-    pub(crate) fn in_file(self, text: &str, file: &str) -> Error {
-        let value = start_of(text, &self.key).map(|at| value_at(text, at)).filter(|value| !value.starts_with('['));
-        let place = place_of(text, &self.key);
-        let refusal = Refusal { key: self.key, value: value.unwrap_or(self.value), allowed: self.allowed };
+/// Reads and checks the text of a scene file; `file` is the name used in messages.
+///
+/// # Errors
+/// [`Error::Scene`] with the place in the file, the key, the value as it is written, and what is allowed.
+pub fn read_scene(text: &str, file: &str) -> Result<Scene> {
+    let scene = read(text).map_err(|(refusal, place)| refusal.into_error(file, Some(place)))?;
+    check_missing(&scene, text).and_then(|()| check(&scene)).map_err(|mut refusal| {
+        if let Some(at) = start_of(text, &refusal.key) {
+            refusal.value = value_at(text, at);
+        }
+        let place = place_of(text, &refusal.key);
         refusal.into_error(file, Some(place))
-    }
+    })?;
+    Ok(scene)
+}
+
+/// The error of a value in a file other than a scene's, with the value as it is written and its place.
+pub fn refuse_in_file(refusal: Refusal, text: &str, file: &str) -> Error {
+    let value = start_of(text, &refusal.key).map(|at| value_at(text, at)).filter(|value| !value.starts_with('['));
+    let place = place_of(text, &refusal.key);
+    Refusal { value: value.unwrap_or_else(|| refusal.value.clone()), ..refusal }.into_error(file, Some(place))
 }
 
 /// Reads the JSON of another file than a scene; `whole` is the word for all of it.
 ///
 /// # Errors
 /// [`Error::Scene`] with the place in the file, the key, the value as it is written, and what is allowed.
-pub(crate) fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str) -> Result<T> {
+pub fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str) -> Result<T> {
     let refused = |path: &str, error: &serde_json::Error| {
         let (mut refusal, place) = explain(text, path, error);
         if refusal.key == WHOLE {
@@ -89,24 +54,6 @@ pub(crate) fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str
         .map_err(|error| refused(&error.path().to_string(), error.inner()))?;
     json.end().map_err(|error| refused(".", &error))?;
     Ok(read)
-}
-
-/// Likeness under which a known name is no suggestion: with more than half of the letters others, it is another name and not a misspelt
-/// one.
-const ALIKE: f64 = 0.5;
-
-/// The known name that is most like `name`, whatever the case of its letters; `None` where none is like it.
-pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let prepare = |name: &str| name.chars().take(COMPARED).collect::<String>().to_lowercase();
-    let name = prepare(name);
-    let likeness = |other: &str| strsim::normalized_damerau_levenshtein(&name, &prepare(other));
-    let known = known.into_iter().map(|other| (likeness(other), other)).filter(|(likeness, _)| *likeness >= ALIKE);
-    known.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, other)| other)
-}
-
-/// The same in words behind what is allowed; nothing where there is none.
-pub(crate) fn or_nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
-    nearest(name, known).map_or(String::new(), |nearest| format!("; nearest: `{nearest}`"))
 }
 
 /// Reads a scene that is not validated yet; on failure the refusal with its line and column.

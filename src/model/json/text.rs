@@ -1,6 +1,6 @@
 //! A scene as JSON text for people.
 
-use crate::model::Scene;
+use crate::model::scene::Scene;
 
 /// Longest line on which a list or an object stays together, in bytes.
 const LONGEST_LINE: usize = 116;

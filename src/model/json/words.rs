@@ -1,5 +1,17 @@
 //! Enums that a scene file writes as one of a few words.
 
+/// A choice that a scene file writes as one of a few words.
+pub trait Words: Copy + 'static {
+    /// The words, in the order of the variants.
+    const WORDS: &'static [&'static str];
+
+    /// The variant for a word.
+    fn from_word(word: &str) -> Option<Self>;
+
+    /// The word for a variant.
+    fn word(self) -> &'static str;
+}
+
 /// Defines an enum whose variants are words in the scene file.
 ///
 /// serde's own derive would also take `{"2d": null}` for `"2d"`, and answers a number with "expected value"; these
@@ -10,33 +22,30 @@ macro_rules! words {
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum $name { $($(#[$attribute])* $variant,)+ }
 
-        impl $name {
-            /// The words for it in a scene file, in the order of the variants.
-            pub const WORDS: &'static [&'static str] = &[$($word),+];
+        impl $crate::model::json::words::Words for $name {
+            const WORDS: &'static [&'static str] = &[$($word),+];
 
-            /// The variant for a word.
-            pub fn from_word(word: &str) -> Option<$name> {
+            fn from_word(word: &str) -> Option<$name> {
                 match word {
                     $($word => Some($name::$variant),)+
                     _ => None,
                 }
             }
 
-            /// The word for this variant in a scene file.
-            pub fn word(self) -> &'static str {
+            fn word(self) -> &'static str {
                 match self { $($name::$variant => $word,)+ }
             }
         }
 
         impl std::fmt::Display for $name {
             fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str(self.word())
+                f.write_str($crate::model::json::words::Words::word(*self))
             }
         }
 
         impl serde::Serialize for $name {
             fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                serializer.serialize_str(self.word())
+                serializer.serialize_str($crate::model::json::words::Words::word(*self))
             }
         }
 
@@ -46,10 +55,10 @@ macro_rules! words {
                 impl serde::de::Visitor<'_> for Word {
                     type Value = $name;
                     fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                        write!(f, "`{}`", $name::WORDS.join("`, `"))
+                        write!(f, "`{}`", <$name as $crate::model::json::words::Words>::WORDS.join("`, `"))
                     }
                     fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<$name, E> {
-                        $name::from_word(word).ok_or_else(|| E::unknown_variant(word, $name::WORDS))
+                        <$name as $crate::model::json::words::Words>::from_word(word).ok_or_else(|| E::unknown_variant(word, <$name as $crate::model::json::words::Words>::WORDS))
                     }
                 }
                 deserializer.deserialize_str(Word)

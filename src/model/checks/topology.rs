@@ -3,13 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 
-use super::json::parse::or_nearest;
-use super::validate::{Check, finite, require};
-use super::{Element, Poisson, Rod, Scene};
+use crate::model::check::{Check, finite, require};
+use crate::model::choice::{Element, Poisson};
+use crate::model::nearest::or_nearest;
+use crate::model::rod::Rod;
+use crate::model::scene::Scene;
 
 /// Most elements of a scene: 400 000 coordinates. More is a mistyped number; a rod of that many elements has lost the
 /// digits in which its bending shows.
-pub(super) const MOST_ELEMENTS: usize = 100_000;
+pub(in crate::model) const MOST_ELEMENTS: usize = 100_000;
 
 /// Shortest rod relative to the largest coordinate of its ends: below, the difference of its ends has no more than
 /// seven digits.
@@ -22,7 +24,7 @@ const MOST_NAMES: usize = 8;
 const SAME_PLACE: f64 = 1e-9;
 
 /// Points, rods and pivots.
-pub(super) fn check_topology(scene: &Scene) -> Check {
+pub(in crate::model) fn check_topology(scene: &Scene) -> Check {
     for (name, position) in &scene.points {
         check_name(format_args!("points.{name}"), name)?;
         for (axis, &x) in position.iter().enumerate() {
@@ -110,7 +112,7 @@ fn check_same_middle(scene: &Scene, first: &Rod, other: &Rod, key: impl Display)
 
 /// Names are used in the paths of keys (`points.a`) and in the head of a CSV file, where these characters mean
 /// something else.
-pub(super) fn check_name(key: impl Display, name: &str) -> Check {
+pub(in crate::model) fn check_name(key: impl Display, name: &str) -> Check {
     let refused = |c: char| c.is_control() || ".,;[]\"`".contains(c);
     let holds = !name.is_empty() && name.trim() == name && !name.contains(refused);
     require(holds, key, format_args!("{name:?}"), "a name without . , ; [ ] \" ` and without spaces at its ends")
@@ -127,7 +129,7 @@ fn check_point(scene: &Scene, key: impl Display, name: &str) -> Check {
 }
 
 /// Refuses a name that is neither that of a point nor that of a pivot.
-pub(super) fn check_node(scene: &Scene, key: impl Display, name: &str) -> Check {
+pub(in crate::model) fn check_node(scene: &Scene, key: impl Display, name: &str) -> Check {
     if scene.position(name).is_some() {
         return Ok(());
     }
@@ -150,7 +152,7 @@ fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
 }
 
 /// Refuses a name that is not that of a rod, or of a rod without a node at `point`, if there is one.
-pub(super) fn check_rod(scene: &Scene, key: impl Display, name: &str, point: Option<&str>) -> Check {
+pub(in crate::model) fn check_rod(scene: &Scene, key: impl Display, name: &str, point: Option<&str>) -> Check {
     let Some(rod) = scene.rods.iter().find(|rod| rod.name == name) else {
         let known = || scene.rods.iter().map(|rod| rod.name.as_str());
         let allowed = format!("the name of a rod ({}){}", list(known()), or_nearest(name, known()));
@@ -162,7 +164,7 @@ pub(super) fn check_rod(scene: &Scene, key: impl Display, name: &str, point: Opt
 }
 
 /// Refuses an empty list and one that holds a word twice.
-pub(super) fn check_list(key: impl Display, words: impl ExactSizeIterator<Item = &'static str>) -> Check {
+pub(in crate::model) fn check_list(key: impl Display, words: impl ExactSizeIterator<Item = &'static str>) -> Check {
     require(words.len() > 0, &key, "[]", "at least one entry")?;
     let mut seen = BTreeSet::new();
     for (i, word) in words.enumerate() {
@@ -172,7 +174,7 @@ pub(super) fn check_list(key: impl Display, words: impl ExactSizeIterator<Item =
 }
 
 /// Refuses a name that an earlier entry of `list` has under the same `key`.
-pub(super) fn unique<'a>(list: &str, key: &str, names: impl Iterator<Item = &'a str>) -> Check {
+pub(in crate::model) fn unique<'a>(list: &str, key: &str, names: impl Iterator<Item = &'a str>) -> Check {
     let mut seen = BTreeMap::new();
     for (i, name) in names.enumerate() {
         if let Some(first) = seen.insert(name, i) {

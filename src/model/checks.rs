@@ -1,48 +1,32 @@
 //! What a scene has to fulfil beyond the types of its values, one part of it after the other.
 
+mod heat;
+mod history;
+mod loads;
+mod motion;
+mod probes;
+mod statics;
+mod supports;
+mod time;
+pub mod topology;
+
 use std::fmt::Display;
 
-use super::heat::check_heat;
-use super::loads::check_loads;
-use super::motion::check_motion;
-use super::probes::check_probes;
-use super::statics::check_statics;
-use super::supports::check_supports;
-use super::time::{check_output, check_time};
-use super::topology::check_topology;
-use super::{Constraints, Element, Form, Material, Method, Poisson, Rod, Scene, Section};
-
-/// A value that is not allowed: the path of its key, the value, and what is allowed.
-#[derive(Debug)]
-pub(super) struct Refusal {
-    pub(super) key: String,
-    pub(super) value: String,
-    pub(super) allowed: String,
-}
-
-/// Outcome of one check.
-pub(super) type Check = Result<(), Refusal>;
-
-/// Refuses `value` at `key` unless `holds`.
-pub(super) fn require(holds: bool, key: impl Display, value: impl Display, allowed: impl Display) -> Check {
-    if holds {
-        return Ok(());
-    }
-    Err(Refusal { key: key.to_string(), value: value.to_string(), allowed: allowed.to_string() })
-}
-
-/// Refuses numbers that are not finite.
-pub(super) fn finite(key: impl Display, value: f64) -> Check {
-    require(value.is_finite(), key, value, "a finite number")
-}
-
-/// Refuses numbers that are not over 0.
-pub(super) fn positive(key: impl Display, value: f64) -> Check {
-    require(value.is_finite() && value > 0.0, key, format_args!("{value:?}"), "a finite number over 0")
-}
+use super::check::{Check, finite, positive, require};
+use super::choice::{Constraints, Element, Form, Method, Poisson};
+use super::rod::{Material, Rod, Section};
+use super::scene::Scene;
+use heat::check_heat;
+use loads::check_loads;
+use motion::check_motion;
+use probes::check_probes;
+use statics::check_statics;
+use supports::check_supports;
+use time::{check_output, check_time};
+use topology::check_topology;
 
 /// Everything that a scene has to fulfil.
-pub(super) fn check(scene: &Scene) -> Check {
+pub fn check(scene: &Scene) -> Check {
     check_line("title", &scene.title)?;
     for (i, note) in scene.notes.iter().enumerate() {
         check_line(format_args!("notes[{i}]"), note)?;

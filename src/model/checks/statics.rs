@@ -1,12 +1,14 @@
-//! What has no meaning in statics, where a load factor from 0 to 1 stands in place of time.
+//! Statics: what has no meaning where a load factor from 0 to 1 stands in place of time.
 
 use std::fmt::Display;
 
-use super::validate::{Check, require};
-use super::{Method, Quantity, Scene, Start, Temperature};
+use crate::model::check::{Check, require};
+use crate::model::choice::{Method, Quantity, Start};
+use crate::model::heat::Temperature;
+use crate::model::scene::Scene;
 
 /// Refuses what asks for time in a scene that has none.
-pub(super) fn check_statics(scene: &Scene) -> Check {
+pub(in crate::model) fn check_statics(scene: &Scene) -> Check {
     if scene.time.method != Method::Static {
         return Ok(());
     }

@@ -1,0 +1,37 @@
+//! The state of a structure in motion.
+
+use nalgebra::DVector;
+
+use crate::structure::Structure;
+
+/// Displacement and velocity of all unknowns at a time.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// Number of steps made.
+    pub step: usize,
+    /// Time, s.
+    pub t: f64,
+    /// Displacement from the initial configuration.
+    pub u: DVector<f64>,
+    /// Its rate.
+    pub v: DVector<f64>,
+}
+
+impl State {
+    /// A structure's state at t = 0.
+    pub fn at_start(structure: &Structure) -> State {
+        State { step: 0, t: 0.0, u: structure.start().clone(), v: structure.start_velocity().clone() }
+    }
+
+    /// One step more, to time `t`.
+    pub fn advance(&mut self, t: f64) {
+        (self.step, self.t) = (self.step + 1, t);
+    }
+
+    /// Takes over another state of the same structure.
+    pub fn copy_from(&mut self, other: &State) {
+        (self.step, self.t) = (other.step, other.t);
+        self.u.copy_from(&other.u);
+        self.v.copy_from(&other.v);
+    }
+}

@@ -1,0 +1,415 @@
+//! A model in motion, step by step.
+
+use nalgebra::DVector;
+
+use super::accuracy::Accuracy;
+use super::monitor::Watch;
+use super::recorder::Recorder;
+use super::result::Run;
+use super::warnings::warnings;
+use crate::error::{Error, Result, written};
+use crate::integrators::{Counts, EquationOfMotion, Integrator, State, integrator, same_time};
+use crate::model::plan::Plan;
+use crate::model::{Method, Model, Scene};
+use crate::structure::{Instant, Structure};
+
+/// A model in motion: moved on step by step, and read in between.
+///
+/// ```
+/// use ancf::model::{Material, Rod, Scene, Section, Support};
+/// use ancf::run::Simulation;
+///
+/// let mut scene = Scene::new(Material::new(2e8, 0.0, 2766.67), Section::new(0.02, 0.02))
+///     .point("pivot", [0.0, 0.0])
+///     .point("tip", [1.0, 0.0])
+///     .rod(Rod::new("rod", "pivot", "tip"))
+///     .support(Support::pinned("pivot"))
+///     .until(1.0);
+/// scene.gravity = [0.0, -9.81];
+/// let mut pendulum = Simulation::new(scene.build()?)?;
+/// pendulum.run_until(0.5)?;
+/// let [x, y] = pendulum.position("tip")?;
+/// assert!(x < 0.2 && y < -0.9);
+/// # Ok::<(), ancf::error::Error>(())
+/// ```
+pub struct Simulation {
+    model: Model,
+    structure: Structure,
+    method: Box<dyn Integrator>,
+    state: State,
+    /// The state before the last step.
+    before: State,
+    /// Steps of [`Scene::steps`] that are done.
+    done: usize,
+    counts: Counts,
+    recorder: Recorder,
+    monitor: Watch,
+    /// For accelerations and reactions that are asked for between rows.
+    motion: Option<EquationOfMotion>,
+}
+
+/// Energies of a structure, J.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Energies {
+    /// ½ q̇ᵀ M q̇.
+    pub kinetic: f64,
+    /// Elastic energy, (18).
+    pub strain: f64,
+    /// That of the weight, zero in the initial configuration.
+    pub potential: f64,
+}
+
+impl Simulation {
+    /// A model at its start, with the method that its scene names; a [`Scene`] is checked first. The first row is recorded.
+    ///
+    /// # Errors
+    /// [`Error::Scene`] for a scene that is not valid,
+    /// [`Error::TooLarge`] for matrices that do not fit into memory, [`Error::Drifts`] for statics of a mechanism,
+    /// [`Error::StepTooLarge`] for an explicit step over its limit, [`Error::Singular`] for a mass matrix that is.
+    pub fn new<M>(model: M) -> Result<Simulation>
+    where
+        M: TryInto<Model>,
+        Error: From<M::Error>,
+    {
+        Simulation::of(model.try_into()?)
+    }
+
+    /// A model at its start, without a generic type.
+    pub(super) fn of(model: Model) -> Result<Simulation> {
+        let plan = Plan::of(model.scene());
+        Simulation::planned(model, &plan)
+    }
+
+    /// A model at its start, with a plan of its own: it may compute more than the scene needs.
+    ///
+    /// # Errors
+    /// Those of [`new`](Simulation::new).
+    pub fn planned(model: Model, plan: &Plan) -> Result<Simulation> {
+        Simulation::start(model, plan, |scene, structure, state, counts| {
+            integrator(scene, plan, structure, state, counts)
+        })
+    }
+
+    /// A model at its start, moved by an integrator of the caller's own. `make` gets the structure and its state at t = 0; steps
+    /// are those of `time.step`, and the scene's `method` says only whether it is statics.
+    ///
+    /// # Errors
+    /// Those of [`new`](Simulation::new), and of `make`.
+    pub fn with_integrator(
+        model: Model,
+        make: impl FnOnce(&Structure, &State) -> Result<Box<dyn Integrator>>,
+    ) -> Result<Simulation> {
+        let plan = Plan::of(model.scene());
+        Simulation::start(model, &plan, |_, structure, state, _| make(structure, state))
+    }
+
+    fn start(
+        model: Model,
+        plan: &Plan,
+        make: impl FnOnce(&Scene, &Structure, &State, &mut Counts) -> Result<Box<dyn Integrator>>,
+    ) -> Result<Simulation> {
+        let scene = model.scene();
+        let structure = Structure::of(&model, plan)?;
+        let mut counts = Counts::default();
+        let state = State::at_start(&structure);
+        let method = make(scene, &structure, &state, &mut counts)?;
+        let mut recorder = Recorder::new(scene, plan, &structure, &state, &mut counts)?;
+        recorder.record(&structure, &state, method.multipliers(), &mut counts)?;
+        let monitor = Watch::new(scene, &structure);
+        let before = state.clone();
+        Ok(Simulation { model, structure, method, state, before, done: 0, counts, recorder, monitor, motion: None })
+    }
+
+    /// Moves on by one step, and records a row where the scene asks for one. Adaptive methods move on to their next output time.
+    /// `false` at the end of the scene, where nothing moves any more.
+    ///
+    /// # Errors
+    /// Those of the method; [`Error::Collapsed`], [`Error::LostInRounding`], [`Error::EnergyAppeared`] or [`Error::NotFinite`] for
+    /// a state that cannot be trusted. Further steps are meaningless then.
+    pub fn step(&mut self) -> Result<bool> {
+        let scene = self.model.scene();
+        if self.done == scene.steps() {
+            return Ok(false);
+        }
+        let next = self.done + 1;
+        let (t, is_row) = (scene.time_after(next), scene.is_row(next));
+        self.advance(t, is_row)?;
+        self.done = next;
+        if is_row {
+            self.recorder.record(&self.structure, &self.state, self.method.multipliers(), &mut self.counts)?;
+            self.monitor.row(&self.structure, &self.state)?;
+        }
+        Ok(true)
+    }
+
+    /// Moves on to the time `t`, s; in statics to the load factor `t`.
+    ///
+    /// # Errors
+    /// [`Error::NotATime`] for a time in the past, after the end, or to which the steps of a fixed-step method do not lead: nothing
+    /// has moved then. Others as of [`step`](Simulation::step).
+    pub fn run_until(&mut self, t: f64) -> Result<()> {
+        let scene = self.model.scene();
+        let (now, end) = (self.state.t, scene.time_after(scene.steps()));
+        let is = |other: f64| (t - other).abs() <= same_time(t.abs().max(other.abs()));
+        if !(is(now) || is(end) || (now < t && t < end)) {
+            let allowed = format!("from {} s, the time now, to {} s, the end", written(now), written(end));
+            return Err(Error::NotATime { time: t, allowed });
+        }
+        let nearest = (t / scene.time_after(1)).round() as usize;
+        let whole = if is(scene.time_after(nearest)) {
+            nearest
+        } else if scene.time.method.is_adaptive() {
+            (t / scene.time_after(1)) as usize
+        } else {
+            let before = (t / scene.time_after(1)) as usize;
+            let [before, after] = [before, before + 1].map(|steps| written(scene.time_after(steps)));
+            return Err(Error::NotATime {
+                time: t,
+                allowed: format!("{before} or {after} s, the nearest ends of steps"),
+            });
+        };
+        while self.done < whole {
+            self.step()?;
+        }
+        if self.state.t < t && !is(self.state.t) {
+            self.advance(t, false)?;
+        }
+        Ok(())
+    }
+
+    /// Moves on to the end of the scene; its rows, warnings and counts.
+    ///
+    /// # Errors
+    /// Those of [`step`](Simulation::step); [`Error::LostInRounding`] where rounding is most of what statics has found.
+    pub fn finish(mut self) -> Result<Run> {
+        while self.step()? {}
+        let mut warnings = warnings(self.model.scene());
+        let unstable_directions = self.monitor.end(&self.structure, &self.state, &mut warnings)?;
+        warnings.extend(self.recorder.doubt(&self.structure));
+        let (trajectory, counts) = (self.recorder.into_trajectory(), self.counts);
+        Ok(Run { trajectory, counts, warnings, unstable_directions, accuracy: Accuracy::default() })
+    }
+
+    /// Steps of the method until the time `t`, each of them watched. Nothing in this loop asks for memory.
+    fn advance(&mut self, t: f64, is_row: bool) -> Result<()> {
+        let Simulation { structure, method, state, before, counts, recorder, monitor, .. } = self;
+        while state.t < t {
+            let works = recorder.works();
+            if works {
+                before.copy_from(state);
+            }
+            method.step(structure, state, t, counts).map_err(|error| monitor.cause(structure, state, error))?;
+            if works {
+                match method.work(structure, before, state) {
+                    Some(work) => recorder.put_in(work),
+                    None => recorder.work(structure, before, state),
+                }
+            }
+            // A row is looked at when it is recorded.
+            if state.t < t || !is_row {
+                monitor.step(structure, state)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The time now, s; the load factor in statics.
+    pub fn time(&self) -> f64 {
+        self.state.t
+    }
+
+    /// The model.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Steps of the scene that are done, of [`Scene::steps`].
+    pub fn steps_done(&self) -> usize {
+        self.done
+    }
+
+    /// The work that was done so far.
+    pub fn counts(&self) -> Counts {
+        self.counts
+    }
+
+    /// Position [x, y] of a point now, m.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a name that no point has.
+    pub fn position(&self, point: &str) -> Result<[f64; 2]> {
+        Ok(self.structure.position(self.structure.point(point)?, &self.state.u))
+    }
+
+    /// Velocity [v_x, v_y] of a point now, m/s.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a name that no point has.
+    pub fn velocity(&self, point: &str) -> Result<[f64; 2]> {
+        Ok(self.structure.at_point(self.structure.point(point)?, &self.state.v))
+    }
+
+    /// Acceleration [a_x, a_y] of a point now, from the equation of motion, m/s²; zero in statics.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a name that no point has; [`Error::Singular`] for a singular mass matrix.
+    pub fn acceleration(&mut self, point: &str) -> Result<[f64; 2]> {
+        let point = self.structure.point(point)?;
+        let (a, _) = self.accelerations()?;
+        Ok(self.structure.at_point(point, &a))
+    }
+
+    /// Force [F_x, F_y] of the supports on the structure at a point now, N; zero where nothing holds the point.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a name that no point has; [`Error::Singular`] for a singular mass matrix.
+    pub fn reaction(&mut self, point: &str) -> Result<[f64; 2]> {
+        let point = self.structure.point(point)?;
+        let (a, multipliers) = self.accelerations()?;
+        let now = Instant { u: &self.state.u, a: &a, t: self.state.t, multipliers: &multipliers };
+        Ok(self.structure.reaction(point, now))
+    }
+
+    /// Accelerations, and the multipliers of pins and supports in their places; zero in statics.
+    fn accelerations(&mut self) -> Result<(DVector<f64>, DVector<f64>)> {
+        let Simulation { model, structure, method, state, counts, motion, .. } = self;
+        let mut a = DVector::zeros(structure.size());
+        let mut multipliers = a.clone();
+        if model.scene().time.method != Method::Static {
+            let motion = match motion {
+                Some(motion) => motion,
+                none => none.insert(EquationOfMotion::new(structure, counts)?),
+            };
+            motion.accelerate(structure, &state.u, state.t, counts);
+            a.copy_from(&motion.a);
+            structure.take_multipliers_into(&mut a, &mut multipliers);
+        }
+        if let Some(known) = method.multipliers() {
+            multipliers.copy_from(known);
+        }
+        Ok((a, multipliers))
+    }
+
+    /// Distance of a rod's axis from the chord through its ends now, at the fraction `at` of its length, m; positive to the left of
+    /// from → to.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a name that no rod has; [`Error::Scene`] for a fraction that is not between 0 and 1, with both.
+    pub fn deflection(&self, rod: &str, at: f64) -> Result<f64> {
+        if !(0.0..=1.0).contains(&at) {
+            let allowed = "a number from 0 to 1, with both: the place as a fraction of the rod's length".into();
+            return Err(Error::Scene {
+                file: "deflection".into(),
+                key: "at".into(),
+                value: format!("{at:?}"),
+                allowed,
+            });
+        }
+        Ok(self.structure.deflection(self.structure.rod(rod)?, at, &self.state.u))
+    }
+
+    /// Nodal coordinates of a rod now, vector by vector from its beginning: r, r_y, then r_j, r_xj, r_yj, r_k, r_yk of each of the
+    /// paper's elements, (4); or r, r_x, then r_k, r_xk of each Euler–Bernoulli element. Positions in m, slopes without unit.
+    ///
+    /// # Errors
+    /// [`Error::Unknown`] for a name that no rod has.
+    pub fn nodal_coordinates(&self, rod: &str) -> Result<Vec<[f64; 2]>> {
+        Ok(self.structure.nodal_coordinates(self.structure.rod(rod)?, &self.state.u))
+    }
+
+    /// The energies now.
+    pub fn energy(&self) -> Energies {
+        let Simulation { structure, state, .. } = self;
+        Energies {
+            kinetic: structure.kinetic_energy(&state.v, &mut DVector::zeros(structure.size())),
+            strain: structure.strain_energy(&state.u, &structure.thermal_strains(state.t)),
+            potential: 0.0 - structure.gravity().dot(&state.u),
+        }
+    }
+
+    /// Names of the columns of [`rows`](Simulation::rows).
+    pub fn columns(&self) -> &[String] {
+        self.recorder.columns()
+    }
+
+    /// The rows that the scene asks for, up to now, each as long as [`columns`](Simulation::columns).
+    pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
+        self.recorder.rows().iter().map(Vec::as_slice)
+    }
+
+    /// The structure, for [`Integrator`]s and what they need.
+    pub fn structure(&self) -> &Structure {
+        &self.structure
+    }
+
+    /// Displacements and velocities of all unknowns now.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+}
+
+impl std::fmt::Debug for Simulation {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.debug_struct("Simulation").field("model", &self.model).field("time", &self.state.t).finish_non_exhaustive()
+    }
+}
+
+/// Runs a model, or a scene that is checked first, from start to end.
+///
+/// ```
+/// use ancf::model::{Method, Scene};
+///
+/// let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+/// (scene.time.method, scene.time.step, scene.time.end) = (Method::EnergyMomentum, 1e-3, 0.5);
+/// let run = ancf::run::run(&scene)?;
+/// let y = run.trajectory.column("tip.y").unwrap();
+/// assert!((y.last().unwrap() + 0.99685).abs() < 1e-4);
+/// # Ok::<(), ancf::error::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::Scene`] for a scene that is not valid; those of [`Simulation::new`] and [`Simulation::finish`].
+pub fn run<M>(model: M) -> Result<Run>
+where
+    M: TryInto<Model>,
+    Error: From<M::Error>,
+{
+    Simulation::new(model)?.finish()
+}
+
+/// Runs a model and tells `on_step`, after each step, how many of [`Scene::steps`] are done.
+///
+/// # Errors
+/// Those of [`Simulation::new`] and [`Simulation::finish`].
+pub fn run_with_progress<M>(model: M, on_step: impl FnMut(usize)) -> Result<Run>
+where
+    M: TryInto<Model>,
+    Error: From<M::Error>,
+{
+    run_watched(Simulation::new(model)?, on_step, |_| ())
+}
+
+/// Runs a scene with a plan of its own, which may compute more than the scene needs.
+///
+/// # Errors
+/// Those of [`Simulation::planned`] and [`Simulation::finish`].
+pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(usize)) -> Result<Run> {
+    run_watched(Simulation::planned(scene.try_into()?, plan)?, on_step, |_| ())
+}
+
+/// Runs a simulation to its end, and shows it to `see` at its start and after each step.
+///
+/// # Errors
+/// Those of [`Simulation::finish`].
+pub fn run_watched(
+    mut simulation: Simulation,
+    mut on_step: impl FnMut(usize),
+    mut see: impl FnMut(&Simulation),
+) -> Result<Run> {
+    see(&simulation);
+    while simulation.step()? {
+        see(&simulation);
+        on_step(simulation.steps_done());
+    }
+    simulation.finish()
+}
