@@ -11,10 +11,10 @@ mod layout;
 mod number;
 
 pub use band::{BandLu, BandMatrix};
-pub use banded_ldlt::TwinBand;
+pub use banded_ldlt::BandedLdlt;
 pub use bordered::{Bordered, BorderedLu, Filling};
-pub use condensed::Chains;
-pub use frontal::{Chain, Elements, MOST_BORDER_UNKNOWNS, NONE};
+pub use condensed::CondensedFactors;
+pub use frontal::{Chain, FrontalChain, MOST_BORDER_UNKNOWNS, NONE};
 pub use lanczos::{Pencil, largest_eigenvalue};
 pub use layout::{BlockLayout, Layout};
 pub use number::Number;

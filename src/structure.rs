@@ -39,10 +39,10 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use self::constraint_row::ConstraintRow;
-use self::node_dofs::Components;
+use self::node_dofs::NodeDofs;
 use self::point::{Node, Point};
 use self::rod::Rod;
-use self::unknown_kind::Kind;
+use self::unknown_kind::UnknownKind;
 use crate::elements::{Ends, ThermalStrain};
 use crate::linear::Layout;
 use crate::model::Force;
@@ -57,7 +57,7 @@ pub use probes::{Instant, PointId, RodId};
 pub struct Structure {
     plan: Plan,
     rods: Arc<[Rod]>,
-    kinds: Vec<Kind>,
+    kinds: Vec<UnknownKind>,
     /// One over the length over which an unknown's force is judged; 0 for multipliers.
     weights: DVector<f64>,
     /// One over the length of its elements for a position; for a slope 1, of r_y in elements higher than long h/l; 0 for a multiplier.
@@ -70,11 +70,11 @@ pub struct Structure {
     gravity: DVector<f64>,
     forces: Vec<Force>,
     /// Where they act.
-    force_places: Vec<Components>,
+    force_places: Vec<NodeDofs>,
     start: DVector<f64>,
     start_velocity: DVector<f64>,
     /// Statics: loads and heat grow with a factor in place of time.
-    grows: bool,
+    is_static: bool,
     /// Start and end, s, and between them the times at which a temperature or a force has a corner.
     times: Vec<f64>,
     /// Force or moment of a unit strain on each unknown, N and N m.
@@ -144,10 +144,10 @@ impl Structure {
 
     /// A displacement's largest entry, m: of positions, and of slopes times the length over which they act.
     pub fn farthest(&self, u: &DVector<f64>) -> f64 {
-        let size = |(u, kind): (&f64, &Kind)| match kind {
-            Kind::Position => u.abs(),
-            Kind::Slope(length) => u.abs() * length,
-            Kind::Multiplier => 0.0,
+        let size = |(u, kind): (&f64, &UnknownKind)| match kind {
+            UnknownKind::Position => u.abs(),
+            UnknownKind::Slope(length) => u.abs() * length,
+            UnknownKind::Multiplier => 0.0,
         };
         u.iter().zip(&self.kinds).map(size).fold(0.0, |largest, size| if size <= largest { largest } else { size })
     }
@@ -186,7 +186,7 @@ impl Structure {
 
     /// Where an unknown is, in words.
     pub fn place(&self, unknown: usize) -> String {
-        let is_it = |vector: &Components, unknown| vector.unknowns.contains(&Some(unknown));
+        let is_it = |vector: &NodeDofs, unknown| vector.unknowns.contains(&Some(unknown));
         let point_of = |unknown| {
             let its_node = |node: &Node| is_it(&self.rods[node.rod].chain[node.position], unknown);
             self.points.iter().find(|(_, point)| point.nodes.iter().any(its_node)).map(|(name, _)| name)

@@ -22,16 +22,16 @@ use crate::structure::{Matrix, StepEnds, Structure};
 pub struct EnergyMomentum {
     step: f64,
     newton: Newton,
-    memory: Memory,
+    workspace: Workspace,
 }
 
 /// What a step works on.
 #[derive(Debug)]
-struct Memory {
+struct Workspace {
     /// The unknown δ: what the increment of u has beside Δt v₀.
     increment: Increment,
     /// u₀ + Δt v₀.
-    coasted: DVector<f64>,
+    predicted_u: DVector<f64>,
     /// Q̄.
     elastic: DVector<f64>,
     /// (v₁ − v₀)/Δt = 2δ/Δt².
@@ -45,24 +45,24 @@ impl EnergyMomentum {
     /// A method with step `step` (s).
     pub fn new(structure: &Structure, step: f64, newton: Newton) -> EnergyMomentum {
         let zeros = || DVector::zeros(structure.size());
-        let memory = Memory {
+        let workspace = Workspace {
             increment: Increment::new(structure),
-            coasted: zeros(),
+            predicted_u: zeros(),
             elastic: zeros(),
             a: zeros(),
             load: zeros(),
             thermal: [structure.thermal_strains(0.0), structure.thermal_strains(0.0)],
         };
-        EnergyMomentum { step, newton, memory }
+        EnergyMomentum { step, newton, workspace }
     }
 }
 
 /// The equations of one step.
-struct Step<'a> {
+struct StepEquations<'a> {
     structure: &'a Structure,
     dt: f64,
     state: &'a State,
-    memory: &'a mut Memory,
+    workspace: &'a mut Workspace,
     largest_load: f64,
 }
 
@@ -72,10 +72,10 @@ fn ends<'a>(u_0: &'a DVector<f64>, u_1: &'a DVector<f64>, thermal: &'a [Vec<Ther
     StepEnds { u_0, u_1, thermal_0, thermal_1 }
 }
 
-impl Equations for Step<'_> {
+impl Equations for StepEquations<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
-        let Memory { increment, coasted, elastic, a, load, thermal } = &mut *self.memory;
-        increment.move_from(coasted);
+        let Workspace { increment, predicted_u, elastic, a, load, thermal } = &mut *self.workspace;
+        increment.move_from(predicted_u);
         let Increment { du, u, value, .. } = increment;
         self.structure.mean_force(&ends(&self.state.u, u, thermal), elastic);
         counts.force_calls += 1;
@@ -90,48 +90,48 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        let Memory { increment, thermal: [thermal_0, thermal_1], .. } = &*self.memory;
+        let Workspace { increment, thermal: [thermal_0, thermal_1], .. } = &*self.workspace;
         // Stresses are averaged over both ends, and so are their rounding errors.
         increment.at_rounding(self.structure, thermal_1, times)
             || self.structure.within_rounding(&increment.value, &self.state.u, thermal_0, times)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
-        let Memory { increment: Increment { u, factors, .. }, thermal, .. } = &mut *self.memory;
+        let Workspace { increment: Increment { u, factors, .. }, thermal, .. } = &mut *self.workspace;
         let mass = 2.0 / (self.dt * self.dt);
         self.structure.factorize(Matrix::Mean { ends: ends(&self.state.u, u, thermal), mass }, factors)
     }
 
     fn improve(&mut self) {
-        self.memory.increment.improve();
+        self.workspace.increment.improve();
     }
 
     fn undo(&mut self) {
-        self.memory.increment.undo();
+        self.workspace.increment.undo();
     }
 }
 
 impl Integrator for EnergyMomentum {
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
-        let EnergyMomentum { step: dt, newton, memory } = self;
+        let EnergyMomentum { step: dt, newton, workspace } = self;
         check_end(state.t, *dt, t_1)?;
-        structure.thermal_strains_into(state.t, &mut memory.thermal[0]);
-        structure.thermal_strains_into(t_1, &mut memory.thermal[1]);
-        structure.load_into(state.t, &mut memory.load);
-        structure.load_into(t_1, &mut memory.increment.value);
-        memory.load += &memory.increment.value;
-        memory.load *= 0.5;
-        memory.increment.du.fill(0.0);
-        memory.coasted.copy_from(&state.u);
-        memory.coasted.axpy(*dt, &state.v, 1.0);
-        let largest_load = structure.largest(&memory.load);
-        let mut step = Step { structure, dt: *dt, state, memory, largest_load };
+        structure.thermal_strains_into(state.t, &mut workspace.thermal[0]);
+        structure.thermal_strains_into(t_1, &mut workspace.thermal[1]);
+        structure.load_into(state.t, &mut workspace.load);
+        structure.load_into(t_1, &mut workspace.increment.value);
+        workspace.load += &workspace.increment.value;
+        workspace.load *= 0.5;
+        workspace.increment.du.fill(0.0);
+        workspace.predicted_u.copy_from(&state.u);
+        workspace.predicted_u.axpy(*dt, &state.v, 1.0);
+        let largest_load = structure.largest(&workspace.load);
+        let mut step = StepEquations { structure, dt: *dt, state, workspace, largest_load };
         newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
 
         // u₁ = u₀ + Δt v₀ + δ, v₁ = v₀ + 2δ/Δt.
-        state.v.axpy(2.0 / *dt, &memory.increment.du, 1.0);
-        state.u.copy_from(&memory.coasted);
-        state.u += &memory.increment.du;
+        state.v.axpy(2.0 / *dt, &workspace.increment.du, 1.0);
+        state.u.copy_from(&workspace.predicted_u);
+        state.u += &workspace.increment.du;
         state.advance(t_1);
         counts.steps += 1;
         Ok(())

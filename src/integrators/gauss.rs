@@ -23,7 +23,7 @@ use super::state::State;
 use super::work::{POINTS as C, Work};
 use crate::elements::ThermalStrain;
 use crate::error::Result;
-use crate::linear::{Chains, SingularAt};
+use crate::linear::{CondensedFactors, SingularAt};
 use crate::structure::Structure;
 
 const ROOT_3: f64 = 1.732_050_807_568_877_2;
@@ -51,12 +51,12 @@ pub struct Gauss {
     newton: Newton,
     /// Step of the last matrix.
     matrix_step: f64,
-    memory: Memory,
+    workspace: Workspace,
 }
 
 /// What a step works on; pairs are of both stages.
 #[derive(Debug)]
-struct Memory {
+struct Workspace {
     /// The unknowns z.
     z: [DVector<f64>; 2],
     /// u₀ + z, and the mean of both.
@@ -73,7 +73,7 @@ struct Memory {
     load: [DVector<f64>; 2],
     thermal: [Vec<ThermalStrain>; 2],
     complex: DVector<Complex<f64>>,
-    factors: Chains<Complex<f64>>,
+    factors: CondensedFactors<Complex<f64>>,
     work: Work,
 }
 
@@ -83,7 +83,7 @@ impl Gauss {
         let zeros = || DVector::zeros(structure.size());
         let pair = || [zeros(), zeros()];
         let thermal = || structure.thermal_strains(0.0);
-        let memory = Memory {
+        let workspace = Workspace {
             z: pair(),
             u: pair(),
             middle: zeros(),
@@ -98,25 +98,25 @@ impl Gauss {
             factors: structure.complex_factors(),
             work: Work::new(structure),
         };
-        Gauss { step, newton, matrix_step: step, memory }
+        Gauss { step, newton, matrix_step: step, workspace }
     }
 }
 
 /// The equations of one step.
-struct Step<'a> {
+struct StepEquations<'a> {
     structure: &'a Structure,
     dt: f64,
     state: &'a State,
-    memory: &'a mut Memory,
+    workspace: &'a mut Workspace,
     largest_load: f64,
     /// Rounding error of the inertia, N: it is a difference of z and c Δt v₀ over Δt².
     inertia_rounding: f64,
 }
 
-impl Equations for Step<'_> {
+impl Equations for StepEquations<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
-        let Step { structure, dt, state, largest_load, .. } = *self;
-        let Memory { z, u, value, a, elastic, load, thermal, .. } = &mut *self.memory;
+        let StepEquations { structure, dt, state, largest_load, .. } = *self;
+        let Workspace { z, u, value, a, elastic, load, thermal, .. } = &mut *self.workspace;
         let (mut size, mut largest_term): (f64, f64) = (0.0, largest_load);
         for stage in 0..2 {
             u[stage].copy_from(&state.u);
@@ -142,7 +142,7 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        let Memory { u, value, thermal, .. } = &*self.memory;
+        let Workspace { u, value, thermal, .. } = &*self.workspace;
         let (structure, floor) = (self.structure, times * self.inertia_rounding);
         (0..2).all(|stage| {
             structure.largest(&value[stage]) <= floor
@@ -151,7 +151,7 @@ impl Equations for Step<'_> {
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
-        let Memory { u: [first, second], middle, thermal, factors, .. } = &mut *self.memory;
+        let Workspace { u: [first, second], middle, thermal, factors, .. } = &mut *self.workspace;
         middle.copy_from(first);
         *middle += &*second;
         *middle *= 0.5;
@@ -160,7 +160,7 @@ impl Equations for Step<'_> {
     }
 
     fn improve(&mut self) {
-        let Memory { z, improvement, value: [first, second], complex, factors, .. } = &mut *self.memory;
+        let Workspace { z, improvement, value: [first, second], complex, factors, .. } = &mut *self.workspace;
         for ((w, first), second) in complex.iter_mut().zip(&*first).zip(&*second) {
             *w = LEFT[0] * *first + LEFT[1] * *second;
         }
@@ -175,7 +175,7 @@ impl Equations for Step<'_> {
     }
 
     fn undo(&mut self) {
-        let Memory { z, improvement, .. } = &mut *self.memory;
+        let Workspace { z, improvement, .. } = &mut *self.workspace;
         z.iter_mut().zip(improvement).for_each(|(z, improvement)| *z += &*improvement);
     }
 }
@@ -184,30 +184,30 @@ impl Embedded for Gauss {
     const ORDER: u8 = 3;
 
     fn make(&mut self, structure: &Structure, state: &mut State, dt: f64, t_1: f64, counts: &mut Counts) -> Result<()> {
-        let Gauss { newton, matrix_step, memory, .. } = self;
+        let Gauss { newton, matrix_step, workspace, .. } = self;
         // Equal steps between two times differ by rounding.
         if (dt - *matrix_step).abs() > 1e-9 * dt {
             newton.forget();
             *matrix_step = dt;
         }
-        memory.a_before.copy_from(&memory.a[1]);
+        workspace.a_before.copy_from(&workspace.a[1]);
         for (stage, c) in C.into_iter().enumerate() {
             let t = t_1 - (1.0 - c) * dt;
-            structure.thermal_strains_into(t, &mut memory.thermal[stage]);
-            structure.load_into(t, &mut memory.load[stage]);
+            structure.thermal_strains_into(t, &mut workspace.thermal[stage]);
+            structure.load_into(t, &mut workspace.load[stage]);
             // The guess: c Δt v₀ + ½ (c Δt)² a with the acceleration of the last stage before.
-            let z = &mut memory.z[stage];
-            z.copy_from(&memory.a[1]);
+            let z = &mut workspace.z[stage];
+            z.copy_from(&workspace.a[1]);
             z.axpy(c * dt, &state.v, 0.5 * (c * dt).powi(2));
         }
-        let largest_load = structure.largest(&memory.load[0]).max(structure.largest(&memory.load[1]));
-        structure.inertia_into(&state.v, &mut memory.elastic);
-        let inertia_rounding = f64::EPSILON * INVERSE_SIZE * structure.largest(&memory.elastic) / dt;
-        let mut step = Step { structure, dt, state, memory, largest_load, inertia_rounding };
+        let largest_load = structure.largest(&workspace.load[0]).max(structure.largest(&workspace.load[1]));
+        structure.inertia_into(&state.v, &mut workspace.elastic);
+        let inertia_rounding = f64::EPSILON * INVERSE_SIZE * structure.largest(&workspace.elastic) / dt;
+        let mut step = StepEquations { structure, dt, state, workspace, largest_load, inertia_rounding };
         newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
 
         state.u.axpy(dt, &state.v, 1.0);
-        for (stage, a) in memory.a.iter().enumerate() {
+        for (stage, a) in workspace.a.iter().enumerate() {
             state.u.axpy(0.5 * (1.0 - C[stage]) * dt * dt, a, 1.0);
             state.v.axpy(0.5 * dt, a, 1.0);
         }
@@ -216,9 +216,17 @@ impl Embedded for Gauss {
     }
 
     fn error(&mut self, structure: &Structure, before: &State, _: &State, dt: f64, counts: &mut Counts) -> f64 {
-        let Memory {
-            middle, value: [force, start], a: [first, second], elastic, load, thermal, complex, factors, ..
-        } = &mut self.memory;
+        let Workspace {
+            middle,
+            value: [force, start],
+            a: [first, second],
+            elastic,
+            load,
+            thermal,
+            complex,
+            factors,
+            ..
+        } = &mut self.workspace;
         structure.thermal_strains_into(before.t, &mut thermal[0]);
         structure.force(&before.u, &thermal[0], elastic);
         structure.load_into(before.t, &mut load[0]);
@@ -249,7 +257,7 @@ impl Embedded for Gauss {
     }
 
     fn undo(&mut self) {
-        let Memory { a: [_, last], a_before, .. } = &mut self.memory;
+        let Workspace { a: [_, last], a_before, .. } = &mut self.workspace;
         last.copy_from(a_before);
     }
 
@@ -257,7 +265,7 @@ impl Embedded for Gauss {
     /// changes the energy by, resolved or not.
     fn work(&mut self, structure: &Structure, before: &State, after: &State) -> f64 {
         let dt = after.t - before.t;
-        let Memory { u, value: velocities, a, work, .. } = &mut self.memory;
+        let Workspace { u, value: velocities, a, work, .. } = &mut self.workspace;
         for (v, weights) in velocities.iter_mut().zip(A) {
             v.copy_from(&before.v);
             a.iter().zip(weights).for_each(|(a, weight)| v.axpy(weight * dt, a, 1.0));

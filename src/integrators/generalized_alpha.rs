@@ -38,7 +38,7 @@ pub struct GeneralizedAlpha {
     a: DVector<f64>,
     /// λ₀ at the start of the step, in their places.
     multipliers: DVector<f64>,
-    memory: Memory,
+    workspace: Workspace,
 }
 
 /// The step and the weights of its two ends.
@@ -53,11 +53,11 @@ struct Weights {
 
 /// What a step works on.
 #[derive(Debug)]
-struct Memory {
+struct Workspace {
     /// The unknowns: δ, what the increment of u has beside Δt v₀, and λ₁ in their places.
     increment: Increment,
     /// u₀ + Δt v₀.
-    coasted: DVector<f64>,
+    predicted_u: DVector<f64>,
     /// (1 − α_m) a₁ + α_m a₀.
     a: DVector<f64>,
     /// (Q_e + Φ_qᵀ λ)₁.
@@ -90,9 +90,9 @@ impl GeneralizedAlpha {
         let mut a = acceleration(structure, &mut mass, &state.u, state.t, counts);
         let multipliers = structure.take_multipliers(&mut a);
         let zeros = || DVector::zeros(structure.size());
-        let memory = Memory {
+        let workspace = Workspace {
             increment: Increment::new(structure),
-            coasted: zeros(),
+            predicted_u: zeros(),
             a: zeros(),
             elastic: zeros(),
             unbalanced: -structure.inertia(&a),
@@ -100,26 +100,26 @@ impl GeneralizedAlpha {
             thermal: structure.thermal_strains(state.t),
         };
         let weights = Weights { step, alpha_m, alpha_f, beta, gamma };
-        Ok(GeneralizedAlpha { weights, newton, a, multipliers, memory })
+        Ok(GeneralizedAlpha { weights, newton, a, multipliers, workspace })
     }
 }
 
 /// The equations of one step.
-struct Step<'a> {
+struct StepEquations<'a> {
     structure: &'a Structure,
     weights: Weights,
     state: &'a State,
     a_0: &'a DVector<f64>,
-    memory: &'a mut Memory,
+    workspace: &'a mut Workspace,
     /// Largest of the terms that do not change in the step.
     largest_given: f64,
 }
 
-impl Equations for Step<'_> {
+impl Equations for StepEquations<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
         let Weights { step: dt, alpha_m, alpha_f, beta, .. } = self.weights;
-        let Memory { increment, coasted, a, elastic, unbalanced, load, thermal } = &mut *self.memory;
-        increment.move_from(coasted);
+        let Workspace { increment, predicted_u, a, elastic, unbalanced, load, thermal } = &mut *self.workspace;
+        increment.move_from(predicted_u);
         let Increment { du, u, value, .. } = increment;
         self.structure.force(u, thermal, elastic);
         counts.force_calls += 1;
@@ -140,25 +140,25 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        let Memory { increment, coasted, thermal, .. } = &*self.memory;
+        let Workspace { increment, predicted_u, thermal, .. } = &*self.workspace;
         // u is a sum of what may be far larger than itself: a vibration passes its middle.
         let within = |u| self.structure.within_rounding(&increment.value, u, thermal, times);
-        within(&increment.u) || within(coasted) || within(&self.state.u)
+        within(&increment.u) || within(predicted_u) || within(&self.state.u)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
         let Weights { step: dt, alpha_m, alpha_f, beta, .. } = self.weights;
-        let Memory { increment: Increment { u, factors, .. }, thermal, .. } = &mut *self.memory;
+        let Workspace { increment: Increment { u, factors, .. }, thermal, .. } = &mut *self.workspace;
         let (stiffness, mass) = (1.0 - alpha_f, (1.0 - alpha_m) / (beta * dt * dt));
         self.structure.factorize(Matrix::Tangent { u, thermal, stiffness, mass }, factors)
     }
 
     fn improve(&mut self) {
-        self.memory.increment.improve();
+        self.workspace.increment.improve();
     }
 
     fn undo(&mut self) {
-        self.memory.increment.undo();
+        self.workspace.increment.undo();
     }
 }
 
@@ -166,28 +166,28 @@ impl Integrator for GeneralizedAlpha {
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
         let Weights { step: dt, beta, gamma, .. } = self.weights;
         check_end(state.t, dt, t_1)?;
-        let GeneralizedAlpha { newton, a: a_0, multipliers, memory, weights } = self;
-        structure.thermal_strains_into(t_1, &mut memory.thermal);
-        structure.load_into(t_1, &mut memory.load);
-        memory.increment.du.copy_from(multipliers);
-        memory.increment.du.axpy(0.5 * dt * dt, a_0, 1.0);
-        memory.coasted.copy_from(&state.u);
-        memory.coasted.axpy(dt, &state.v, 1.0);
-        let largest_given = structure.largest(&memory.unbalanced).max(structure.largest(&memory.load));
-        let mut step = Step { structure, weights: *weights, state, a_0, memory, largest_given };
+        let GeneralizedAlpha { newton, a: a_0, multipliers, workspace, weights } = self;
+        structure.thermal_strains_into(t_1, &mut workspace.thermal);
+        structure.load_into(t_1, &mut workspace.load);
+        workspace.increment.du.copy_from(multipliers);
+        workspace.increment.du.axpy(0.5 * dt * dt, a_0, 1.0);
+        workspace.predicted_u.copy_from(&state.u);
+        workspace.predicted_u.axpy(dt, &state.v, 1.0);
+        let largest_given = structure.largest(&workspace.unbalanced).max(structure.largest(&workspace.load));
+        let mut step = StepEquations { structure, weights: *weights, state, a_0, workspace, largest_given };
         newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
 
         // The last residual's forces are those of the solution.
-        memory.unbalanced.copy_from(&memory.elastic);
-        memory.unbalanced -= &memory.load;
-        structure.take_multipliers_into(&mut memory.increment.du, multipliers);
+        workspace.unbalanced.copy_from(&workspace.elastic);
+        workspace.unbalanced -= &workspace.load;
+        structure.take_multipliers_into(&mut workspace.increment.du, multipliers);
         // v₁ = v₀ + Δt [(1 − γ) a₀ + γ a₁], a₁ as above.
-        let delta = &memory.increment.du;
+        let delta = &workspace.increment.du;
         state.v.axpy(dt * (1.0 - gamma), a_0, 1.0);
         *a_0 *= 1.0 - 0.5 / beta;
         a_0.axpy(1.0 / (beta * dt * dt), delta, 1.0);
         state.v.axpy(dt * gamma, a_0, 1.0);
-        state.u.copy_from(&memory.coasted);
+        state.u.copy_from(&workspace.predicted_u);
         state.u += delta;
         state.advance(t_1);
         counts.steps += 1;

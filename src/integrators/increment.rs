@@ -24,7 +24,7 @@ pub struct Increment {
 }
 
 impl Increment {
-    /// Memory for a structure's increments.
+    /// Workspace for a structure's increments.
     pub fn new(structure: &Structure) -> Increment {
         let zeros = || DVector::zeros(structure.size());
         Increment { du: zeros(), u: zeros(), value: zeros(), improvement: zeros(), factors: structure.factors() }

@@ -22,12 +22,12 @@ use crate::structure::{Matrix, Structure};
 #[derive(Debug)]
 pub struct Statics {
     newton: Newton,
-    memory: Memory,
+    workspace: Workspace,
 }
 
 /// What a load step works on.
 #[derive(Debug)]
-struct Memory {
+struct Workspace {
     /// That of the last load step is the guess for the next.
     increment: Increment,
     /// The displacement before the last improvement.
@@ -40,29 +40,29 @@ impl Statics {
     /// Statics of a structure. [`Newton::with_new_matrices`] is what converges best.
     pub fn new(structure: &Structure, newton: Newton) -> Statics {
         let zeros = || DVector::zeros(structure.size());
-        let memory = Memory {
+        let workspace = Workspace {
             increment: Increment::new(structure),
             before: zeros(),
             load: zeros(),
             thermal: structure.thermal_strains(0.0),
         };
-        Statics { newton, memory }
+        Statics { newton, workspace }
     }
 }
 
 /// The equations of one load step.
-struct Step<'a> {
+struct StepEquations<'a> {
     structure: &'a Structure,
     u_0: &'a DVector<f64>,
-    memory: &'a mut Memory,
+    workspace: &'a mut Workspace,
     largest_load: f64,
     /// Whether an improvement was made, so that there is a displacement before it.
     improved: bool,
 }
 
-impl Equations for Step<'_> {
+impl Equations for StepEquations<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
-        let Memory { increment, load, thermal, .. } = &mut *self.memory;
+        let Workspace { increment, load, thermal, .. } = &mut *self.workspace;
         increment.move_from(self.u_0);
         let Increment { u, value, .. } = increment;
         self.structure.force(u, thermal, value);
@@ -73,35 +73,35 @@ impl Equations for Step<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        self.memory.increment.at_rounding(self.structure, &self.memory.thermal, times)
+        self.workspace.increment.at_rounding(self.structure, &self.workspace.thermal, times)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
-        let Memory { increment: Increment { u, factors, .. }, before, thermal, .. } = &mut *self.memory;
+        let Workspace { increment: Increment { u, factors, .. }, before, thermal, .. } = &mut *self.workspace;
         let before = if self.improved { &*before } else { &*u };
         self.structure.factorize(Matrix::Mixed { before, u, thermal }, factors)
     }
 
     fn improve(&mut self) {
-        self.memory.before.copy_from(&self.memory.increment.u);
+        self.workspace.before.copy_from(&self.workspace.increment.u);
         self.improved = true;
-        self.memory.increment.improve();
+        self.workspace.increment.improve();
     }
 
     fn undo(&mut self) {
-        self.memory.increment.undo();
+        self.workspace.increment.undo();
     }
 }
 
 impl Integrator for Statics {
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
-        let Statics { newton, memory } = self;
-        structure.thermal_strains_into(t_1, &mut memory.thermal);
-        structure.load_into(t_1, &mut memory.load);
-        let largest_load = structure.largest(&memory.load);
-        let mut step = Step { structure, u_0: &state.u, memory, largest_load, improved: false };
+        let Statics { newton, workspace } = self;
+        structure.thermal_strains_into(t_1, &mut workspace.thermal);
+        structure.load_into(t_1, &mut workspace.load);
+        let largest_load = structure.largest(&workspace.load);
+        let mut step = StepEquations { structure, u_0: &state.u, workspace, largest_load, improved: false };
         newton.solve(&mut step, counts).map_err(|failure| no_equilibrium(failure, structure, t_1))?;
-        state.u += &memory.increment.du;
+        state.u += &workspace.increment.du;
         state.advance(t_1);
         counts.steps += 1;
         Ok(())

@@ -23,7 +23,7 @@ pub struct Work {
 }
 
 impl Work {
-    /// Memory for a structure's steps.
+    /// Workspace for a structure's steps.
     pub fn new(structure: &Structure) -> Work {
         let thermal = || structure.thermal_strains(0.0);
         Work { force: DVector::zeros(structure.size()), change: thermal(), around: [thermal(), thermal()] }

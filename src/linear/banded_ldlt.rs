@@ -7,7 +7,7 @@ use super::SingularAt;
 
 /// L D Lᵀ factors of a positive definite matrix whose rows reach `W` rows back.
 #[derive(Clone, Debug)]
-pub struct TwinBand<const W: usize> {
+pub struct BandedLdlt<const W: usize> {
     /// Row i of L: the multipliers of rows i − W … i − 1.
     lower: Vec<[f64; W]>,
     /// Column i of L: those of row i in rows i + W … i + 1, so that both substitutions read in order.
@@ -16,13 +16,13 @@ pub struct TwinBand<const W: usize> {
     inverse: Vec<f64>,
 }
 
-impl<const W: usize> TwinBand<W> {
+impl<const W: usize> BandedLdlt<W> {
     /// The factors of a matrix of `size` rows, whose entry (row, column), `column` ≤ `row`, is told by `entry`.
     ///
     /// # Errors
     /// The row whose pivot is not positive.
-    pub fn new(size: usize, entry: impl Fn(usize, usize) -> f64) -> Result<TwinBand<W>, SingularAt> {
-        let mut band = TwinBand { lower: Vec::with_capacity(size), upper: vec![[0.0; W]; size], inverse: Vec::new() };
+    pub fn new(size: usize, entry: impl Fn(usize, usize) -> f64) -> Result<BandedLdlt<W>, SingularAt> {
+        let mut band = BandedLdlt { lower: Vec::with_capacity(size), upper: vec![[0.0; W]; size], inverse: Vec::new() };
         let mut diagonal: Vec<f64> = Vec::with_capacity(size);
         for i in 0..size {
             let mut row = [0.0; W];
@@ -104,7 +104,7 @@ mod tests {
                 _ => 0.0,
             };
             let dense = DMatrix::from_fn(size, size, entry);
-            let factors = TwinBand::<3>::new(size, entry);
+            let factors = BandedLdlt::<3>::new(size, entry);
             prop_assume!(dense.clone().cholesky().is_some());
             let places: Vec<u32> = (0..size as u32).rev().map(|n| 3 * n + 1).collect();
             let mut b: Vec<f64> = values.iter().copied().cycle().take(3 * size + 1).collect();
@@ -120,6 +120,6 @@ mod tests {
     #[test]
     fn a_matrix_that_is_not_definite_is_refused_with_its_row() {
         let entry = |i: usize, j: usize| if i == j { [1.0, 1.0, -1.0][i] } else { 0.0 };
-        assert_eq!(TwinBand::<3>::new(3, entry).unwrap_err(), SingularAt(2));
+        assert_eq!(BandedLdlt::<3>::new(3, entry).unwrap_err(), SingularAt(2));
     }
 }

@@ -1,6 +1,6 @@
 //! LU factors of chains of elements that are coupled by a border: rods, and the points that they share.
 //!
-//! Each chain is eliminated by itself ([`Elements`](super::Elements)) and leaves its part of a small band matrix over the border:
+//! Each chain is eliminated by itself ([`FrontalChain`](super::FrontalChain)) and leaves its part of a small band matrix over the border:
 //! the cost is linear in the number of rods and of their elements. The matrix is never there as a whole.
 
 use nalgebra::DVector;
@@ -11,7 +11,7 @@ use super::{BandLu, BandMatrix, SingularAt, flush};
 
 /// The factors, or memory for them.
 #[derive(Debug)]
-pub struct Chains<F: Number = f64> {
+pub struct CondensedFactors<F: Number = f64> {
     chains: Vec<Box<dyn Chain<F>>>,
     corner: Option<BandLu<F>>,
     /// First unknown of the border, its size and the half-width of its band.
@@ -20,10 +20,15 @@ pub struct Chains<F: Number = f64> {
     border_band: usize,
 }
 
-impl<F: Number> Chains<F> {
+impl<F: Number> CondensedFactors<F> {
     /// Memory for the factors of these chains, with a border from the unknown `border` on.
-    pub fn new(chains: Vec<Box<dyn Chain<F>>>, border: usize, border_size: usize, border_band: usize) -> Chains<F> {
-        Chains { chains, corner: None, border, border_size, border_band }
+    pub fn new(
+        chains: Vec<Box<dyn Chain<F>>>,
+        border: usize,
+        border_size: usize,
+        border_band: usize,
+    ) -> CondensedFactors<F> {
+        CondensedFactors { chains, corner: None, border, border_size, border_band }
     }
 
     /// Factorises the matrix whose elements `fill` gives, by the numbers of the chain and of the element in it, as columns.

@@ -14,7 +14,7 @@ mod place;
 use std::fmt::Debug;
 
 use front::{Border, Front, Side, subtract};
-use place::{Place, SHARED};
+use place::{ElementPlaces, SHARED};
 
 use super::number::Number;
 use super::{BandMatrix, SingularAt};
@@ -46,8 +46,8 @@ pub trait Chain<F: Number>: Debug + Send + Sync {
 
 /// A chain of elements with `N` coordinates each.
 #[derive(Clone, Debug)]
-pub struct Elements<F, const N: usize> {
-    places: Vec<Place<N>>,
+pub struct FrontalChain<F, const N: usize> {
+    places: Vec<ElementPlaces<N>>,
     fronts: Vec<Front<F, N>>,
     /// Of each front one for each of the border's unknowns that the chain has reached there.
     sides: Vec<Side<F, N>>,
@@ -57,19 +57,19 @@ pub struct Elements<F, const N: usize> {
     border: usize,
 }
 
-impl<F: Number, const N: usize> Elements<F, N> {
+impl<F: Number, const N: usize> FrontalChain<F, N> {
     /// The chain of elements with these unknowns ([`NONE`] where a coordinate is held), of which those from `border` on are the
     /// border's.
-    pub fn new(elements: impl Iterator<Item = [u32; N]>, border: usize) -> Elements<F, N> {
+    pub fn new(elements: impl Iterator<Item = [u32; N]>, border: usize) -> FrontalChain<F, N> {
         let (mut places, mut touches, mut sides) = (Vec::new(), Vec::new(), 0);
         for unknowns in elements {
-            let place = Place::new(unknowns, border, &mut touches, sides);
+            let place = ElementPlaces::new(unknowns, border, &mut touches, sides);
             sides += place.reached;
             places.push(place);
         }
         let front = Front { lu: [[F::zero(); N]; N], swaps: [0; N] };
         let none = [F::zero(); N];
-        Elements {
+        FrontalChain {
             fronts: vec![front; places.len()],
             sides: vec![Side { right: none, below: none }; sides],
             touches,
@@ -89,12 +89,12 @@ impl<F: Number, const N: usize> Elements<F, N> {
     }
 
     /// Sides of an element's front, with the border's unknowns that they belong to.
-    fn sides(&self, place: &Place<N>) -> impl Iterator<Item = (&Side<F, N>, usize)> {
+    fn sides(&self, place: &ElementPlaces<N>) -> impl Iterator<Item = (&Side<F, N>, usize)> {
         self.sides[place.first_side..][..place.reached].iter().zip(self.touches.iter().copied())
     }
 }
 
-impl<F: Number, const N: usize> Chain<F> for Elements<F, N> {
+impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
     fn factorize(
         &mut self,
         fill: &mut dyn FnMut(usize, &mut [F]),

@@ -20,10 +20,10 @@
 //! hides it. A place that moves by less than a millionth of the structure's size is judged beside the one that moves farthest.
 
 use super::accuracy::{Accuracy, Estimate};
-use super::observer::{SAFETY, Seen, Sight};
+use super::observer::{Observations, Observer, SAFETY};
 use super::result::Run;
 use super::simulation::Simulation;
-use super::unresolved_loads::missed;
+use super::unresolved_loads::unresolved_load;
 use crate::error::{Error, Result};
 use crate::model::{Method, Model, Scene};
 
@@ -51,10 +51,10 @@ where
 {
     let model = model.try_into()?;
     let scene = &model.scene().clone();
-    let sight = Sight::of(scene);
-    let (mut own, seen) = sight.run_with_progress(Simulation::of(model)?, on_step)?;
-    let (finer, in_time, seen_in_time, how) = finer_in_time(&sight, &own)?;
-    let time = sight.changes(&seen, &seen_in_time, |_| true);
+    let observer = Observer::of(scene);
+    let (mut own, seen) = observer.run_with_progress(Simulation::of(model)?, on_step)?;
+    let (finer, in_time, seen_in_time, how) = finer_in_time(&observer, &own)?;
+    let time = observer.changes(&seen, &seen_in_time, |_| true);
 
     // Explicit steps have to be shorter on a finer mesh, and are compared with as short ones.
     let explicit = scene.time.method.is_explicit();
@@ -63,20 +63,20 @@ where
     mesh.rods.iter_mut().for_each(|rod| rod.elements *= 2);
     let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
     let (on_finer, seen_on_finer) = stable(mesh)
-        .and_then(|mesh| sight.run_with_progress(mesh, |_| ()))
+        .and_then(|mesh| observer.run_with_progress(mesh, |_| ()))
         .map_err(|error| no_estimate(&on_mesh, error))?;
-    let space = sight.changes(seen_of_base, &seen_on_finer, |_| true);
+    let space = observer.changes(seen_of_base, &seen_on_finer, |_| true);
 
     let directions = [&own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
     if directions > 0 {
         return Err(Error::Unstable { directions });
     }
-    sight.judge(&seen, &time, &space)?;
+    observer.judge(&seen, &time, &space)?;
     let worst = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
     let pairs = [(&seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
-    let at_rows = pairs.map(|(own, finer)| worst(sight.changes(own, finer, |is_row| is_row))).iter().sum();
+    let at_rows = pairs.map(|(own, finer)| worst(observer.changes(own, finer, |is_row| is_row))).iter().sum();
     let [time, space] = [time, space].map(worst);
-    let when = sight.when();
+    let when = observer.when();
     let estimate = |value, method: &str| {
         let method = format!(
             "{SAFETY} × the largest change of a position, {when}, by {method}; velocities, reactions and energies are not estimated"
@@ -92,8 +92,8 @@ fn no_estimate(what: &str, error: Error) -> Error {
 }
 
 /// The scene with its steps made finer, its run and what is seen of it, and in words how.
-fn finer_in_time(sight: &Sight, own: &Run) -> Result<(Scene, Run, Seen, String)> {
-    let scene = sight.scene;
+fn finer_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observations, String)> {
+    let scene = observer.scene;
     let mut finer = scene.clone();
     let how = match scene.time.method {
         Method::Static => {
@@ -112,41 +112,41 @@ fn finer_in_time(sight: &Sight, own: &Run) -> Result<(Scene, Run, Seen, String)>
             if parts == 2 { "half the step".into() } else { format!("1/{parts} of the step") }
         }
     };
-    let (mut run_of_it, mut seen, how) = with_finer_newton(sight, &mut finer, how)?;
+    let (mut run_of_it, mut seen, how) = with_finer_newton(observer, &mut finer, how)?;
     // Where rows and corners of histories are closer than half the longest step, all steps would be the same.
     for _ in 0..HALVINGS {
         if !scene.time.method.is_adaptive() || run_of_it.counts.steps as f64 >= MORE * own.counts.steps as f64 {
             break;
         }
         divide(&mut finer, 2);
-        (run_of_it, seen) = sight.run(&finer).map_err(|error| no_estimate(&how, error))?;
+        (run_of_it, seen) = observer.run(&finer).map_err(|error| no_estimate(&how, error))?;
     }
     Ok((finer, run_of_it, seen, how))
 }
 
 /// Runs the scene with a tenth of Newton's tolerance; with its own where rounding leaves no less.
-fn with_finer_newton(sight: &Sight, finer: &mut Scene, how: String) -> Result<(Run, Seen, String)> {
+fn with_finer_newton(observer: &Observer, finer: &mut Scene, how: String) -> Result<(Run, Observations, String)> {
     let tolerance = finer.time.newton_tolerance;
     // Steps of any length end their iteration alike.
     if !finer.time.method.is_explicit() && tolerance > LEAST_TOLERANCE {
         finer.time.newton_tolerance = (tolerance / 10.0).max(LEAST_TOLERANCE);
         let how = format!("{how}, a tenth of Newton's tolerance");
-        match sight.run(finer) {
+        match observer.run(finer) {
             Err(Error::NewtonFailed { at_rounding: true, .. }) => finer.time.newton_tolerance = tolerance,
             Err(error) => return Err(no_estimate(&how, error)),
             Ok((run, seen)) => return Ok((run, seen, how)),
         }
     }
-    let (run, seen) = sight.run(finer).map_err(|error| no_estimate(&how, error))?;
+    let (run, seen) = observer.run(finer).map_err(|error| no_estimate(&how, error))?;
     Ok((run, seen, how))
 }
 
 /// In how many parts a step has to be divided until no history comes and goes within one.
 fn parts(scene: &Scene) -> Result<usize> {
     let step = scene.time.step;
-    let sees_all = |parts: &usize| missed(scene, step / *parts as f64).is_none();
+    let sees_all = |parts: &usize| unresolved_load(scene, step / *parts as f64).is_none();
     (2..=MOST_PARTS).find(sees_all).ok_or_else(|| {
-        let short = missed(scene, step / MOST_PARTS as f64).map_or(String::new(), |short| {
+        let short = unresolved_load(scene, step / MOST_PARTS as f64).map_or(String::new(), |short| {
             format!(
                 "{} rises and falls within less than that, in as little as {:.1e} s; a smaller `time.step` helps, or a method that \
                  chooses its steps",

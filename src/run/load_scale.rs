@@ -14,49 +14,49 @@ use crate::model::{Force, Rod, Scene, Start, times_of};
 
 /// Sizes of what moves a structure, N.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Loads {
+pub struct LoadScale {
     /// All of it together; 0 where nothing does.
     pub all: f64,
     /// The least of its parts: a rod's weight, the force at a point; where there is nothing else, what bends a rod's path as it turns.
     pub least: f64,
     /// Angular velocity of a structure that only goes on turning, rad/s.
-    coasts: Option<f64>,
+    free_rotation: Option<f64>,
 }
 
-impl Loads {
+impl LoadScale {
     /// Those of a scene that moves in time.
-    pub fn of(scene: &Scene) -> Loads {
-        let acting = Loads::sum(of_weight(scene).chain(of_points(scene)));
+    pub fn of(scene: &Scene) -> LoadScale {
+        let acting = LoadScale::sum(of_weight(scene).chain(of_points(scene)));
         if acting.all > 0.0 {
-            return Loads { all: acting.all + of_rotation(scene).sum::<f64>(), ..acting };
+            return LoadScale { all: acting.all + of_rotation(scene).sum::<f64>(), ..acting };
         }
-        let turning = Loads::sum(of_rotation(scene));
+        let turning = LoadScale::sum(of_rotation(scene));
         if turning.all > 0.0 {
-            let heated = Loads::sum(of_heat(scene)).all > 0.0;
-            return Loads { coasts: (!heated).then(|| omega(scene).abs()), ..turning };
+            let heated = LoadScale::sum(of_heat(scene)).all > 0.0;
+            return LoadScale { free_rotation: (!heated).then(|| omega(scene).abs()), ..turning };
         }
-        Loads::sum(of_heat(scene))
+        LoadScale::sum(of_heat(scene))
     }
 
     /// What a force is of all loads, and of the least of them, at time `t`.
     pub fn shares(&self, force: f64, t: f64) -> [f64; 2] {
-        let grown = self.coasts.map_or(1.0, |omega| (0.5 * omega * t).min(1.0));
+        let grown = self.free_rotation.map_or(1.0, |omega| (0.5 * omega * t).min(1.0));
         [self.all, self.least].map(|load| grown * force / load)
     }
 
-    fn sum(parts: impl Iterator<Item = f64>) -> Loads {
+    fn sum(parts: impl Iterator<Item = f64>) -> LoadScale {
         let parts: Vec<f64> = parts.filter(|part| *part > 0.0).collect();
         if parts.is_empty() {
-            return Loads::default();
+            return LoadScale::default();
         }
         let least = parts.iter().copied().fold(f64::INFINITY, f64::min);
-        Loads { all: parts.iter().sum(), least, coasts: None }
+        LoadScale { all: parts.iter().sum(), least, free_rotation: None }
     }
 }
 
 /// Whether anything moves the structure of a scene from its start, or bends the path of its initial motion.
 pub fn moves(scene: &Scene) -> bool {
-    Loads::of(scene).all > 0.0
+    LoadScale::of(scene).all > 0.0
 }
 
 /// Weight of each rod.

@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::load_scale::Loads;
+use super::load_scale::LoadScale;
 use crate::error::{Error, Result};
 use crate::integrators::State;
 use crate::model::{Method, Scene};
@@ -27,7 +27,7 @@ const LOST: f64 = 0.05;
 const NO_DIGIT: f64 = 0.5;
 
 /// Watches the steps of a run.
-pub struct Watch {
+pub struct Monitor {
     /// Displacement that was looked at last.
     before: DVector<f64>,
     /// `None` in statics, which has its own.
@@ -43,7 +43,7 @@ struct Rounding {
 }
 
 enum Beside {
-    Loads(Loads),
+    LoadScale(LoadScale),
     /// Nothing moves the structure: it rests, or goes on as it began, and is where it is known to be. Its size, m, and memory.
     Known {
         size: f64,
@@ -51,15 +51,15 @@ enum Beside {
     },
 }
 
-impl Watch {
-    pub fn new(scene: &Scene, structure: &Structure) -> Watch {
+impl Monitor {
+    pub fn new(scene: &Scene, structure: &Structure) -> Monitor {
         let rounding = (scene.time.method != Method::Static).then(|| {
-            let loads = Loads::of(scene);
+            let loads = LoadScale::of(scene);
             let known = || Beside::Known { size: scene.size(), off: DVector::zeros(structure.size()) };
-            let beside = if loads.all > 0.0 { Beside::Loads(loads) } else { known() };
+            let beside = if loads.all > 0.0 { Beside::LoadScale(loads) } else { known() };
             Rounding { beside, shares: [0.0; 2] }
         });
-        Watch { before: structure.start().clone(), rounding }
+        Monitor { before: structure.start().clone(), rounding }
     }
 
     /// Looks at the state after a step, where it has moved since the last look.
@@ -121,7 +121,7 @@ impl Watch {
 impl Rounding {
     fn row(&mut self, structure: &Structure, state: &State) -> Result<()> {
         let shares = match &mut self.beside {
-            Beside::Loads(loads) => loads.shares(structure.rounding_force(&state.u), state.t),
+            Beside::LoadScale(loads) => loads.shares(structure.rounding_force(&state.u), state.t),
             Beside::Known { size, off } => {
                 off.copy_from(&state.u);
                 *off -= structure.start();
@@ -153,7 +153,7 @@ impl Rounding {
 impl Beside {
     fn words(&self) -> &'static str {
         match self {
-            Beside::Loads(_) => "loads",
+            Beside::LoadScale(_) => "loads",
             Beside::Known { .. } => "size of the structure, which nothing moves",
         }
     }

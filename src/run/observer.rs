@@ -24,7 +24,7 @@ const HARDLY: f64 = 1e-6;
 const MOST_SEEN: usize = 2_000_000;
 
 /// What is looked at in all runs of an estimate, and when.
-pub(super) struct Sight<'a> {
+pub(super) struct Observer<'a> {
     /// That of the run itself.
     pub(super) scene: &'a Scene,
     places: Vec<Place>,
@@ -47,7 +47,7 @@ enum Of {
 
 /// What was seen of a run.
 #[derive(Default)]
-pub(super) struct Seen {
+pub(super) struct Observations {
     /// Times of the instants, s.
     times: Vec<f64>,
     /// Whether they are rows of the run itself.
@@ -56,7 +56,7 @@ pub(super) struct Seen {
     places: Vec<[f64; 2]>,
 }
 
-impl Seen {
+impl Observations {
     /// A place at all instants.
     fn of(&self, place: usize) -> impl Iterator<Item = [f64; 2]> {
         self.places.iter().copied().skip(place).step_by((self.places.len() / self.times.len().max(1)).max(1))
@@ -73,31 +73,31 @@ impl Place {
 }
 
 /// A place of one run's structure.
-enum Found {
+enum Located {
     Point(PointId),
     /// A rod's deflection at a part of its length.
     Rod(RodId, f64),
 }
 
-impl Found {
-    fn of(place: &Place, structure: &Structure) -> Result<Found> {
+impl Located {
+    fn of(place: &Place, structure: &Structure) -> Result<Located> {
         Ok(match &place.of {
-            Of::Point(name) => Found::Point(structure.point(name)?),
-            Of::Rod(name, at) => Found::Rod(structure.rod(name)?, *at),
+            Of::Point(name) => Located::Point(structure.point(name)?),
+            Of::Rod(name, at) => Located::Rod(structure.rod(name)?, *at),
         })
     }
 
     fn at(&self, structure: &Structure, u: &DVector<f64>) -> [f64; 2] {
         match *self {
-            Found::Point(point) => structure.position(point, u),
-            Found::Rod(rod, at) => [structure.deflection(rod, at, u), 0.0],
+            Located::Point(point) => structure.position(point, u),
+            Located::Rod(rod, at) => [structure.deflection(rod, at, u), 0.0],
         }
     }
 }
 
-impl Sight<'_> {
+impl Observer<'_> {
     /// All points, deflections that probes ask for, and those of rods that are held at both ends, of which points say nothing.
-    pub(super) fn of(scene: &Scene) -> Sight<'_> {
+    pub(super) fn of(scene: &Scene) -> Observer<'_> {
         let point =
             |name: &String| Place { of: Of::Point(name.clone()), velocity: drift(scene, name).unwrap_or_default() };
         let rod = |name: &String, at: f64| Place { of: Of::Rod(name.clone(), at), velocity: [0.0; 2] };
@@ -115,20 +115,20 @@ impl Sight<'_> {
         let places: Vec<Place> = points.chain(probed).chain(bows).collect();
 
         let every = (scene.steps() * places.len()).div_ceil(MOST_SEEN).max(1);
-        Sight { scene, places, every }
+        Observer { scene, places, every }
     }
 
-    pub(super) fn run(&self, scene: &Scene) -> Result<(Run, Seen)> {
+    pub(super) fn run(&self, scene: &Scene) -> Result<(Run, Observations)> {
         self.run_with_progress(Simulation::new(scene)?, |_| ())
     }
 
     /// A run of the scene, or of a finer one, which makes several steps in one.
-    pub(super) fn run_with_progress(&self, run: Simulation, on_step: impl FnMut(usize)) -> Result<(Run, Seen)> {
+    pub(super) fn run_with_progress(&self, run: Simulation, on_step: impl FnMut(usize)) -> Result<(Run, Observations)> {
         let parts = (run.model().scene().steps() / self.scene.steps()).max(1);
-        let places: Vec<Found> =
-            self.places.iter().map(|place| Found::of(place, run.structure())).collect::<Result<_>>()?;
+        let places: Vec<Located> =
+            self.places.iter().map(|place| Located::of(place, run.structure())).collect::<Result<_>>()?;
         let looks_at = |step: usize| step.is_multiple_of(self.every) || self.scene.is_row(step);
-        let mut seen = Seen::default();
+        let mut seen = Observations::default();
         let run = run_watched(run, on_step, |now| {
             let step = now.steps_done();
             if step.is_multiple_of(parts) && looks_at(step / parts) {
@@ -152,7 +152,7 @@ impl Sight<'_> {
 
     /// Estimated errors of the places: twice the largest distance of two runs, at instants that count as rows or others do; not a number
     /// where one of them is not.
-    pub(super) fn changes(&self, own: &Seen, finer: &Seen, counts: impl Fn(bool) -> bool) -> Vec<f64> {
+    pub(super) fn changes(&self, own: &Observations, finer: &Observations, counts: impl Fn(bool) -> bool) -> Vec<f64> {
         if own.times.len() != finer.times.len() {
             return vec![f64::NAN; self.places.len()];
         }
@@ -168,11 +168,11 @@ impl Sight<'_> {
     ///
     /// # Errors
     /// [`Error::Inaccurate`] of the worst place.
-    pub(super) fn judge(&self, seen: &Seen, time: &[f64], space: &[f64]) -> Result<()> {
+    pub(super) fn judge(&self, seen: &Observations, time: &[f64], space: &[f64]) -> Result<()> {
         // From the start, or from where it would be without loads.
-        let way = |place: usize, coasts: f64| {
+        let way = |place: usize, free_rotation: f64| {
             let [x_0, y_0] = seen.of(place).next().unwrap_or_default();
-            let [v_x, v_y] = self.places[place].velocity.map(|velocity| coasts * velocity);
+            let [v_x, v_y] = self.places[place].velocity.map(|velocity| free_rotation * velocity);
             let gone = |([x, y], t): ([f64; 2], &f64)| (x - x_0 - t * v_x).hypot(y - y_0 - t * v_y);
             largest(seen.of(place).zip(&seen.times).map(gone))
         };

@@ -114,7 +114,7 @@ impl Recorder {
     }
 
     /// Energies that do not balance.
-    pub fn doubt(&self, structure: &Structure) -> Option<String> {
+    pub fn imbalance_warning(&self, structure: &Structure) -> Option<String> {
         self.energy.as_ref()?.warning(structure, self.method)
     }
 

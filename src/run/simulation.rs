@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::accuracy::Accuracy;
-use super::monitor::Watch;
+use super::monitor::Monitor;
 use super::recorder::Recorder;
 use super::result::Run;
 use super::warnings::warnings;
@@ -43,7 +43,7 @@ pub struct Simulation {
     done: usize,
     counts: Counts,
     recorder: Recorder,
-    monitor: Watch,
+    monitor: Monitor,
     /// For accelerations and reactions that are asked for between rows.
     motion: Option<EquationOfMotion>,
 }
@@ -115,7 +115,7 @@ impl Simulation {
         let method = make(scene, &structure, &state, &mut counts)?;
         let mut recorder = Recorder::new(scene, plan, &structure, &state, &mut counts)?;
         recorder.record(&structure, &state, method.multipliers(), &mut counts)?;
-        let monitor = Watch::new(scene, &structure);
+        let monitor = Monitor::new(scene, &structure);
         let before = state.clone();
         Ok(Simulation { model, structure, method, state, before, done: 0, counts, recorder, monitor, motion: None })
     }
@@ -185,7 +185,7 @@ impl Simulation {
         while self.step()? {}
         let mut warnings = warnings(self.model.scene());
         let unstable_directions = self.monitor.end(&self.structure, &self.state, &mut warnings)?;
-        warnings.extend(self.recorder.doubt(&self.structure));
+        warnings.extend(self.recorder.imbalance_warning(&self.structure));
         let (trajectory, counts) = (self.recorder.into_trajectory(), self.counts);
         Ok(Run { trajectory, counts, warnings, unstable_directions, accuracy: Accuracy::default() })
     }

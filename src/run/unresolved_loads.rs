@@ -1,4 +1,4 @@
-//! Loads between the steps: what comes and goes within a step is seen by none of its ends.
+//! LoadScale between the steps: what comes and goes within a step is seen by none of its ends.
 //!
 //! A history is cut into stretches on which it rises, falls or stays. A ramp shorter than a step is seen afterwards by what it has
 //! led to; a second short stretch beside it may take that back before a step ends. Methods of fixed steps then miss a pulse
@@ -16,7 +16,7 @@ const AT_END: f64 = 1e-3;
 
 /// A stretch of a history that steps may miss.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Short {
+pub struct UnresolvedLoad {
     /// Which history.
     pub what: String,
     /// Length of the shortest of such stretches of it, s.
@@ -25,7 +25,7 @@ pub struct Short {
 
 /// The history with the shortest stretch that steps of a length (s) may miss; `None` where they miss none. Methods that choose their steps
 /// miss what is within the rounding of times.
-pub fn missed(scene: &Scene, step: f64) -> Option<Short> {
+pub fn unresolved_load(scene: &Scene, step: f64) -> Option<UnresolvedLoad> {
     let step = match scene.time.method {
         Method::Static => return None,
         method if method.is_adaptive() => same_time(scene.time.end),
@@ -48,7 +48,7 @@ pub fn missed(scene: &Scene, step: f64) -> Option<Short> {
         let pairs = turns.windows(3).filter(|turns| is_missed(turns, step));
         // The jump at the start has no length.
         let length = pairs.flat_map(lengths).filter(|length| *length > 0.0).reduce(f64::min)?;
-        Some(Short { what, length })
+        Some(UnresolvedLoad { what, length })
     });
     short.min_by(|a, b| a.length.total_cmp(&b.length))
 }

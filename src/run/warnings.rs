@@ -1,6 +1,6 @@
 //! Doubts that a scene itself raises.
 
-use super::unresolved_loads::missed;
+use super::unresolved_loads::unresolved_load;
 use crate::model::{Element, Form, Method, Poisson, Rod, Scene, Start};
 use crate::structure::Structure;
 
@@ -18,14 +18,14 @@ fn steps_per_crossing(method: Method) -> Option<f64> {
 
 /// Doubts that the scene itself raises.
 pub fn warnings(scene: &Scene) -> Vec<String> {
-    let warnings = [shock_warning, missed_warning, locking_warning, form_warning];
+    let warnings = [shock_warning, unresolved_load_warning, locking_warning, form_warning];
     warnings.iter().filter_map(|warning| warning(scene)).collect()
 }
 
 /// A history that comes and goes between the ends of the steps.
-fn missed_warning(scene: &Scene) -> Option<String> {
+fn unresolved_load_warning(scene: &Scene) -> Option<String> {
     let step = scene.time.step;
-    let short = missed(scene, step)?;
+    let short = unresolved_load(scene, step)?;
     let (what, length) = (short.what, short.length);
     Some(if scene.time.method.is_adaptive() {
         format!(

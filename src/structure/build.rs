@@ -10,7 +10,7 @@ use super::memory::check_memory;
 use super::point::{Node, Point};
 use super::rod::Rod;
 use super::uniform_elements::stretched;
-use super::unknown_kind::Kind;
+use super::unknown_kind::UnknownKind;
 use super::unknowns::{Numbering, condensed, with_multipliers};
 use super::{Structure, mobility};
 use crate::elements::Meaning;
@@ -66,7 +66,7 @@ impl Structure {
             plan: *plan,
             shortest: rods.iter().map(|rod| rod.along.norm()).fold(f64::INFINITY, f64::min),
             rounded: rods.iter().map(|rod| rod.mesh.rounded()).fold(0.0, f64::max),
-            weights: DVector::from_iterator(kinds.len(), kinds.iter().map(Kind::weight)),
+            weights: DVector::from_iterator(kinds.len(), kinds.iter().map(UnknownKind::weight)),
             shares: shares(&rods, &kinds),
             rods: rods.into(),
             kinds,
@@ -78,7 +78,7 @@ impl Structure {
             force_places: Vec::new(),
             start: DVector::zeros(size),
             start_velocity: DVector::zeros(size),
-            grows: scene.time.method == Method::Static,
+            is_static: scene.time.method == Method::Static,
             times: times(scene),
             unit_forces: DVector::zeros(size),
         };
@@ -102,7 +102,7 @@ impl Structure {
             let (force, l) = (rod.mesh.unit_force(), rod.along.norm());
             let vectors = (0..rod.elements).flat_map(|element| rod.vectors(element));
             for unknown in vectors.flat_map(|vector| vector.unknowns).flatten() {
-                let slope = matches!(self.kinds[unknown], Kind::Slope(_));
+                let slope = matches!(self.kinds[unknown], UnknownKind::Slope(_));
                 sum[unknown] += if slope { force * l } else { force };
             }
         }
@@ -151,15 +151,15 @@ impl Structure {
 }
 
 /// What a change of each unknown is to an element ([`Structure::moved`]); to the shortest one, where several meet.
-fn shares(rods: &[Rod], kinds: &[Kind]) -> DVector<f64> {
+fn shares(rods: &[Rod], kinds: &[UnknownKind]) -> DVector<f64> {
     let mut shares = DVector::zeros(kinds.len());
     for rod in rods {
         let l = rod.along.norm();
         for unknown in rod.chain.iter().flat_map(|vector| vector.unknowns).flatten() {
             let share = match kinds[unknown] {
-                Kind::Position => 1.0 / l,
-                Kind::Slope(length) => f64::max(1.0, length / l),
-                Kind::Multiplier => 0.0,
+                UnknownKind::Position => 1.0 / l,
+                UnknownKind::Slope(length) => f64::max(1.0, length / l),
+                UnknownKind::Multiplier => 0.0,
             };
             shares[unknown] = f64::max(shares[unknown], share);
         }

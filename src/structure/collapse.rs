@@ -1,4 +1,4 @@
-//! Elements of which nothing is left: pressed to nothing, or turned inside out.
+//! FrontalChain of which nothing is left: pressed to nothing, or turned inside out.
 
 use nalgebra::DVector;
 
@@ -40,7 +40,13 @@ impl Structure {
         for rod in &*self.rods {
             if let Some(element) = rod.mesh.collapsed(before, u) {
                 let (element, elements) = (element + 1, rod.elements);
-                return Err(Error::Collapsed { rod: rod.name.clone(), element, elements, time, statics: self.grows });
+                return Err(Error::Collapsed {
+                    rod: rod.name.clone(),
+                    element,
+                    elements,
+                    time,
+                    statics: self.is_static,
+                });
             }
         }
         Ok(())

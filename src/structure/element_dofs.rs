@@ -2,24 +2,24 @@
 
 use nalgebra::{DVector, Rotation2, SMatrix, SVector};
 
-use super::node_dofs::Components;
+use super::node_dofs::NodeDofs;
 use crate::elements::{Ends, LANES};
 use crate::linear::NONE;
 
 /// Where an element's coordinates are among the unknowns.
 #[derive(Clone, Debug)]
-pub(super) struct Place<const N: usize> {
+pub(super) struct ElementDofs<const N: usize> {
     /// [`NONE`] for those that are held.
     pub unknowns: [u32; N],
     /// Nodal vectors in axes of their own.
     pub turns: Vec<(usize, Rotation2<f64>)>,
 }
 
-impl<const N: usize> Place<N> {
-    pub fn of(vectors: &[Components]) -> Place<N> {
+impl<const N: usize> ElementDofs<N> {
+    pub fn of(vectors: &[NodeDofs]) -> ElementDofs<N> {
         let unknown = |i: usize| vectors[i / 2].unknowns[i % 2].map_or(NONE, |unknown| unknown as u32);
         let turns = vectors.iter().enumerate().filter_map(|(n, vector)| Some((n, vector.turn?)));
-        Place { unknowns: std::array::from_fn(unknown), turns: turns.collect() }
+        ElementDofs { unknowns: std::array::from_fn(unknown), turns: turns.collect() }
     }
 
     /// The element's coordinates from a vector of unknowns, in global axes.
@@ -71,12 +71,16 @@ impl<const N: usize> Place<N> {
 
 /// Coordinates of up to [`LANES`] elements; where there are fewer the rest is at rest.
 #[inline(always)]
-pub(super) fn gather<const N: usize>(places: &[Place<N>], u: &DVector<f64>) -> [SVector<f64, N>; LANES] {
+pub(super) fn gather<const N: usize>(places: &[ElementDofs<N>], u: &DVector<f64>) -> [SVector<f64, N>; LANES] {
     std::array::from_fn(|lane| places.get(lane).map_or(SVector::zeros(), |place| place.gather(u)))
 }
 
 /// Adds their forces to the unknowns'.
 #[inline(always)]
-pub(super) fn scatter<const N: usize>(places: &[Place<N>], forces: [SVector<f64, N>; LANES], sum: &mut DVector<f64>) {
+pub(super) fn scatter<const N: usize>(
+    places: &[ElementDofs<N>],
+    forces: [SVector<f64, N>; LANES],
+    sum: &mut DVector<f64>,
+) {
     places.iter().zip(forces).for_each(|(place, force)| place.scatter(force, sum));
 }

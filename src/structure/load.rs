@@ -34,7 +34,7 @@ impl Structure {
             sum.fill(0.0);
         }
         self.add_point_forces(t, 1.0, sum);
-        if self.grows {
+        if self.is_static {
             *sum *= t;
         }
     }
@@ -58,6 +58,6 @@ impl Structure {
         if !self.plan.heat {
             return [0.0; 2];
         }
-        if self.grows { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) }
+        if self.is_static { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) }
     }
 }

@@ -1,7 +1,7 @@
 //! The mass matrix, factorised once and solved with in every explicit step.
 //!
 //! Each element's M is a matrix of numbers times the unit matrix of the plane: nodal vectors are coupled, x and y are not. So the
-//! *free* vectors of a rod, which are its own and not held in any direction, are one band of numbers ([`TwinBand`]), solved for
+//! *free* vectors of a rod, which are its own and not held in any direction, are one band of numbers ([`BandedLdlt`]), solved for
 //! x and y side by side. The others, which rods share or a support holds in one direction, are the *border*:
 //!
 //! M_ff a_f + M_fb a_b = f_f,  M_bf a_f + M_bb a_b = f_b  ⇒  (M_bb − M_bf W) a_b = f_b − M_bf M_ff⁻¹ f_f,  a_f = M_ff⁻¹ f_f − W a_b,
@@ -13,21 +13,21 @@ use std::collections::BTreeMap;
 use nalgebra::{DVector, Vector2};
 
 use super::Structure;
-use super::node_dofs::Components;
+use super::node_dofs::NodeDofs;
 use super::numbering::order;
 use super::rod::Rod;
 use super::rod_elements::ElementMatrix;
-use crate::linear::{BandLu, BandMatrix, BorderedLu, SingularAt, TwinBand, flush};
+use crate::linear::{BandLu, BandMatrix, BandedLdlt, BorderedLu, SingularAt, flush};
 
 /// Most vectors of the border that a rod touches: positions and slopes of two ends and of a pivot.
 const MOST_BORDER_VECTORS: usize = 6;
 
 /// Factors of a structure's mass matrix.
 #[derive(Debug)]
-pub struct MassFactors(Kind);
+pub struct MassFactors(MassKind);
 
 #[derive(Debug)]
-enum Kind {
+enum MassKind {
     Condensed(Condensed),
     Multipliers(BorderedLu),
 }
@@ -37,7 +37,7 @@ enum Kind {
 struct Condensed {
     rods: Vec<RodFactors>,
     /// The border's vectors, their unknowns numbered by `unknowns`.
-    border: Vec<Components>,
+    border: Vec<NodeDofs>,
     /// The structure's numbers of the border's unknowns.
     unknowns: Vec<usize>,
     corner: BandLu,
@@ -62,10 +62,10 @@ struct RodFactors {
 /// A band as wide as the element asks for.
 #[derive(Debug)]
 enum Band {
-    /// Elements of four nodal vectors.
-    Three(TwinBand<3>),
-    /// Elements of seven.
-    Six(TwinBand<6>),
+    /// FrontalChain of four nodal vectors.
+    Three(BandedLdlt<3>),
+    /// FrontalChain of seven.
+    Six(BandedLdlt<6>),
 }
 
 /// Entries of one rod's mass matrix, by places in its chain of nodal vectors.
@@ -93,7 +93,11 @@ impl RodMass<'_> {
 
 impl Band {
     fn new(vectors: usize, size: usize, entry: impl Fn(usize, usize) -> f64) -> Result<Band, SingularAt> {
-        Ok(if vectors == 4 { Band::Three(TwinBand::new(size, entry)?) } else { Band::Six(TwinBand::new(size, entry)?) })
+        Ok(if vectors == 4 {
+            Band::Three(BandedLdlt::new(size, entry)?)
+        } else {
+            Band::Six(BandedLdlt::new(size, entry)?)
+        })
     }
 
     fn solve(&self, places: &[u32], b: &mut [f64]) {
@@ -107,9 +111,9 @@ impl Band {
 impl Condensed {
     fn new(rods: &[Rod], first_shared: usize) -> Result<Condensed, SingularAt> {
         // The border's vectors: a shared one has the same unknowns in every rod.
-        let is_free = |vector: &Components| matches!(vector.unknowns, [Some(x), Some(_)] if x < first_shared);
+        let is_free = |vector: &NodeDofs| matches!(vector.unknowns, [Some(x), Some(_)] if x < first_shared);
         let mut known: BTreeMap<[Option<usize>; 2], usize> = BTreeMap::new();
-        let mut vectors: Vec<Components> = Vec::new();
+        let mut vectors: Vec<NodeDofs> = Vec::new();
         let mut touches = Vec::new();
         for rod in rods {
             let of_border = rod.chain.iter().filter(|vector| !is_free(vector) && vector.unknowns != [None; 2]);
@@ -138,7 +142,7 @@ impl Condensed {
         let mut corner = BandMatrix::zeros(unknowns.len(), band);
         let mut factors = Vec::new();
         for (rod, touches) in rods.iter().zip(touches) {
-            let place_of = |vector: &Components| touches.iter().position(|&n| vectors[n].unknowns == vector.unknowns);
+            let place_of = |vector: &NodeDofs| touches.iter().position(|&n| vectors[n].unknowns == vector.unknowns);
             factors.push(RodFactors::new(&RodMass { rod }, is_free, place_of, &touches, &border, &mut corner)?);
         }
         let corner = corner.lu().map_err(|SingularAt(pivot)| SingularAt(unknowns[pivot]))?;
@@ -172,10 +176,10 @@ impl RodFactors {
     /// A rod's factors; what it leaves of M_bb − M_bf W is added to the corner.
     fn new(
         mass: &RodMass,
-        is_free: impl Fn(&Components) -> bool,
-        place_of: impl Fn(&Components) -> Option<usize>,
+        is_free: impl Fn(&NodeDofs) -> bool,
+        place_of: impl Fn(&NodeDofs) -> Option<usize>,
         touches: &[usize],
-        border: &[Components],
+        border: &[NodeDofs],
         corner: &mut BandMatrix,
     ) -> Result<RodFactors, SingularAt> {
         let chain = &mass.rod.chain;
@@ -230,7 +234,7 @@ impl RodFactors {
     }
 
     /// Takes W a_b off the free vectors.
-    fn respond(&self, border: &[Components], rest: &DVector<f64>, b: &mut [f64]) {
+    fn respond(&self, border: &[NodeDofs], rest: &DVector<f64>, b: &mut [f64]) {
         if self.touches.is_empty() {
             return;
         }
@@ -245,7 +249,7 @@ impl RodFactors {
 }
 
 /// Adds `mass` · 1, which couples two nodal vectors, in the axes that each of them has.
-fn add_entry(mass: f64, row: &Components, column: &Components, corner: &mut BandMatrix) {
+fn add_entry(mass: f64, row: &NodeDofs, column: &NodeDofs, corner: &mut BandMatrix) {
     for (axis, j) in [Vector2::x(), Vector2::y()].into_iter().zip(column.unknowns) {
         let along = column.turn.map_or(axis, |turn| turn * axis);
         let own = row.turn.map_or(along, |turn| turn.inverse() * along);
@@ -261,8 +265,8 @@ impl MassFactors {
     /// Solves M a = f in place, with multipliers: M a + Φ_qᵀ λ = f, Φ_q a = 0.
     pub fn solve(&mut self, f: &mut DVector<f64>) {
         match &mut self.0 {
-            Kind::Condensed(condensed) => condensed.solve(f.as_mut_slice()),
-            Kind::Multipliers(factors) => factors.solve(f),
+            MassKind::Condensed(condensed) => condensed.solve(f.as_mut_slice()),
+            MassKind::Multipliers(factors) => factors.solve(f),
         }
         flush(f);
     }
@@ -275,10 +279,10 @@ impl Structure {
     /// The unknown with a vanishing pivot; [`place`](Structure::place) says where that is.
     pub fn factorize_mass(&self) -> Result<MassFactors, SingularAt> {
         if self.rows.is_empty() {
-            return Ok(MassFactors(Kind::Condensed(Condensed::new(&self.rods, self.layout.border)?)));
+            return Ok(MassFactors(MassKind::Condensed(Condensed::new(&self.rods, self.layout.border)?)));
         }
         let mut sum = self.assemble_matrix(|_| ElementMatrix::Mass);
         self.add_constraints(1.0, &mut sum);
-        Ok(MassFactors(Kind::Multipliers(sum.equilibrated_lu()?)))
+        Ok(MassFactors(MassKind::Multipliers(sum.equilibrated_lu()?)))
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::{Complex, DVector};
 use super::rod_elements::ElementMatrix;
 use super::{StepEnds, Structure, of_rod};
 use crate::elements::ThermalStrain;
-use crate::linear::{Bordered, BorderedLu, Chain, Chains, Filling, Number, SingularAt};
+use crate::linear::{Bordered, BorderedLu, Chain, CondensedFactors, Filling, Number, SingularAt};
 
 /// A matrix that is factorised.
 #[derive(Debug)]
@@ -61,7 +61,7 @@ impl<'a> Matrix<'a> {
 #[derive(Debug)]
 pub enum Factors {
     /// In the condensed form.
-    Chains(Chains),
+    CondensedFactors(CondensedFactors),
     /// With multipliers.
     Bordered(Option<BorderedLu>),
 }
@@ -70,7 +70,7 @@ impl Factors {
     /// Solves A x = b in place. Without factors the solution is not a number.
     pub fn solve(&self, b: &mut DVector<f64>) {
         match self {
-            Factors::Chains(chains) => chains.solve(b),
+            Factors::CondensedFactors(chains) => chains.solve(b),
             Factors::Bordered(Some(factors)) => factors.solve(b),
             Factors::Bordered(None) => b.fill(f64::NAN),
         }
@@ -84,7 +84,7 @@ impl Structure {
     /// Memory that one matrix with its factors takes, bytes.
     pub fn matrix_bytes(&self) -> usize {
         match self.factors() {
-            Factors::Chains(chains) => chains.bytes(),
+            Factors::CondensedFactors(chains) => chains.bytes(),
             Factors::Bordered(_) => self.layout.bytes(),
         }
     }
@@ -109,19 +109,19 @@ impl Structure {
     pub fn factors(&self) -> Factors {
         if self.rows.is_empty() {
             let chains = self.rods.iter().map(|rod| rod.mesh.chain(self.layout.border)).collect();
-            Factors::Chains(self.chains(chains))
+            Factors::CondensedFactors(self.chains(chains))
         } else {
             Factors::Bordered(None)
         }
     }
 
     /// Memory for the factors of complex matrices; in the condensed form only.
-    pub fn complex_factors(&self) -> Chains<Complex<f64>> {
+    pub fn complex_factors(&self) -> CondensedFactors<Complex<f64>> {
         self.chains(self.rods.iter().map(|rod| rod.mesh.complex_chain(self.layout.border)).collect())
     }
 
-    fn chains<F: Number>(&self, chains: Vec<Box<dyn Chain<F>>>) -> Chains<F> {
-        Chains::new(chains, self.layout.border, self.layout.border_size, self.layout.border_band)
+    fn chains<F: Number>(&self, chains: Vec<Box<dyn Chain<F>>>) -> CondensedFactors<F> {
+        CondensedFactors::new(chains, self.layout.border, self.layout.border_size, self.layout.border_band)
     }
 
     /// LU factors of a matrix.
@@ -130,7 +130,7 @@ impl Structure {
     /// The unknown with a vanishing pivot; [`place`](Structure::place) says where that is.
     pub fn factorize(&self, matrix: Matrix, factors: &mut Factors) -> Result<(), SingularAt> {
         match factors {
-            Factors::Chains(chains) => chains.factorize(|rod, element, columns| {
+            Factors::CondensedFactors(chains) => chains.factorize(|rod, element, columns| {
                 self.rods[rod].mesh.matrix(element, &matrix.of_rod(rod), columns);
             }),
             // Where coordinates stand beside multipliers, rows and columns of all blocks have to be scaled first.
@@ -152,7 +152,7 @@ impl Structure {
         u: &DVector<f64>,
         thermal: &[ThermalStrain],
         stiffness: Complex<f64>,
-        factors: &mut Chains<Complex<f64>>,
+        factors: &mut CondensedFactors<Complex<f64>>,
     ) -> Result<(), SingularAt> {
         factors.factorize(|rod, element, columns| {
             let mesh = &self.rods[rod].mesh;

@@ -138,7 +138,7 @@ impl Triangle {
     }
 }
 
-/// Place of each rod in an order in which those that meet are close together.
+/// ElementDofs of each rod in an order in which those that meet are close together.
 fn places(rods: usize, points: &BTreeMap<String, Point>) -> Vec<usize> {
     let mut touches = vec![Vec::new(); rods];
     for (n, point) in points.values().enumerate() {

@@ -4,14 +4,14 @@ use nalgebra::{DVector, Rotation2, Vector2};
 
 /// Where the components of a nodal vector are among the unknowns.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Components {
+pub(super) struct NodeDofs {
     /// `None` where a support holds the component.
     pub unknowns: [Option<usize>; 2],
     /// From the vector's own axes to the global ones, where they differ.
     pub turn: Option<Rotation2<f64>>,
 }
 
-impl Components {
+impl NodeDofs {
     /// The nodal vector in a vector of unknowns, in global axes; zero where it is held.
     pub fn get(&self, u: &DVector<f64>) -> Vector2<f64> {
         let own = Vector2::from(self.unknowns.map(|unknown| unknown.map_or(0.0, |unknown| u[unknown])));

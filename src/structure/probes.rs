@@ -3,7 +3,7 @@
 use nalgebra::{DVector, Vector2};
 
 use super::Structure;
-use super::node_dofs::Components;
+use super::node_dofs::NodeDofs;
 use super::point::Node;
 use super::rod_elements::Loaded;
 use crate::elements::Meaning;
@@ -63,7 +63,7 @@ impl Structure {
     }
 
     /// The point's position among the unknowns: that of the first rod there.
-    pub(super) fn components(&self, point: PointId) -> Components {
+    pub(super) fn components(&self, point: PointId) -> NodeDofs {
         let Node { rod, position, .. } = self.points[point.0].1.nodes[0];
         self.rods[rod].chain[position]
     }
@@ -130,14 +130,14 @@ impl Structure {
             return -Vector2::new(along(x), along(y));
         }
         let eps_t = self.thermal_strain(rod, now.t);
-        let weight = if self.grows { now.t } else { 1.0 };
+        let weight = if self.is_static { now.t } else { 1.0 };
         rod.mesh.force_at(node.position, &Loaded { u: now.u, a: now.a, eps_t, weight })
     }
 
     fn point_force(&self, point: PointId, t: f64) -> Vector2<f64> {
         let its = self.forces.iter().filter(|force| force.point == self.points[point.0].0);
         let full: Vector2<f64> = its.map(|force| Vector2::from(force.at(t))).sum();
-        if self.grows { t * full } else { full }
+        if self.is_static { t * full } else { full }
     }
 }
 

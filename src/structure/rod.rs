@@ -4,10 +4,10 @@ use std::fmt::Debug;
 
 use nalgebra::Vector2;
 
-use super::node_dofs::Components;
-use super::rod_elements::Mesh;
-use super::uniform_elements::Equal;
-use super::unknown_kind::Kind;
+use super::node_dofs::NodeDofs;
+use super::rod_elements::RodElements;
+use super::uniform_elements::UniformElements;
+use super::unknown_kind::UnknownKind;
 use crate::elements::{Ancf, Beam, Cable, Law, Meaning, NodalVector, PrintedShear, ThermalStrain};
 use crate::equations::force::Element;
 use crate::equations::shape::Vector14;
@@ -26,10 +26,10 @@ pub(super) struct Rod {
     pub along: Vector2<f64>,
     /// Height of the section, m.
     pub height: f64,
-    pub mesh: Box<dyn Mesh>,
+    pub mesh: Box<dyn RodElements>,
     pub heat: Option<Heat>,
     /// Its nodal vectors: node i's of the first element, then the others of each element.
-    pub chain: Vec<Components>,
+    pub chain: Vec<NodeDofs>,
 }
 
 #[derive(Clone, Debug)]
@@ -54,7 +54,7 @@ impl Rod {
             along,
             height: scene.section(rod).height,
             heat: scene.heat(rod).map(|heat| Heat { temperature: heat.clone(), alpha: scene.material(rod).alpha }),
-            chain: vec![Components::default(); (mesh.vectors().len() - 2) * rod.elements + 2],
+            chain: vec![NodeDofs::default(); (mesh.vectors().len() - 2) * rod.elements + 2],
             mesh,
         }
     }
@@ -76,7 +76,7 @@ impl Rod {
     }
 
     /// An element's nodal vectors.
-    pub fn vectors(&self, element: usize) -> &[Components] {
+    pub fn vectors(&self, element: usize) -> &[NodeDofs] {
         &self.chain[self.stride() * element..][..self.mesh.vectors().len()]
     }
 
@@ -95,17 +95,17 @@ impl Rod {
     }
 
     /// What the unknowns of a vector of the chain measure.
-    pub fn kind(&self, vector: usize) -> Kind {
+    pub fn kind(&self, vector: usize) -> UnknownKind {
         match self.nodal(vector).0 {
-            Meaning::Position => Kind::Position,
-            Meaning::SlopeX => Kind::Slope(self.along.norm()),
-            Meaning::SlopeY => Kind::Slope(self.height),
+            Meaning::Position => UnknownKind::Position,
+            Meaning::SlopeX => UnknownKind::Slope(self.along.norm()),
+            Meaning::SlopeY => UnknownKind::Slope(self.height),
         }
     }
 }
 
-/// Elements of the paper.
-fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn Mesh> {
+/// FrontalChain of the paper.
+fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let (lambda, mu) = lame(material);
     let (l, h, w, theta) = (along.norm(), section.height, section.width, along.y.atan2(along.x));
@@ -119,18 +119,18 @@ fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Bo
     }
 }
 
-/// Equal elements of the paper, in one form or the other.
+/// UniformElements elements of the paper, in one form or the other.
 fn equal<B: Beam<14> + Debug + Send + Sync + 'static>(
     beam: B,
     scene: &Scene,
     rod: &model::Rod,
     along: Vector2<f64>,
-) -> Box<dyn Mesh> {
+) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     // Its place does not matter to mass and weight, so e₀ stays out.
     let element = Element { l: along.norm(), h: section.height, w: section.width, e_0: Vector14::zeros() };
     let (lambda, mu) = lame(material);
-    Box::new(Equal {
+    Box::new(UniformElements {
         beam,
         along,
         mass: inertia::M(material.rho, &element),
@@ -146,14 +146,14 @@ fn lame(material: &model::Material) -> (f64, f64) {
     (material::lambda(youngs_modulus, nu), material::mu(youngs_modulus, nu))
 }
 
-/// Elements of the paper's competitor.
-fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>) -> Box<dyn Mesh> {
+/// FrontalChain of the paper's competitor.
+fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let area = section.height * section.width;
     let tension = material.youngs_modulus * area;
     let bending = material.youngs_modulus * section.width * section.height.powi(3) / 12.0;
     let l = along.norm();
-    Box::new(Equal {
+    Box::new(UniformElements {
         beam: Cable::new(l, along.y.atan2(along.x), tension, bending),
         along,
         mass: cable::M(material.rho * area, l),

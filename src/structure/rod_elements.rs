@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use nalgebra::{Complex, DVector, Vector2};
 
-use super::node_dofs::Components;
+use super::node_dofs::NodeDofs;
 use crate::elements::{Ends, NodalVector, ThermalStrain};
 use crate::linear::{Chain, Filling};
 
@@ -39,7 +39,7 @@ pub(super) enum ElementMatrix<'a> {
 }
 
 /// What is asked of the elements of a rod.
-pub(super) trait Mesh: Debug + Send + Sync {
+pub(super) trait RodElements: Debug + Send + Sync {
     /// The nodal vectors of one element.
     fn vectors(&self) -> &'static [NodalVector];
 
@@ -53,7 +53,7 @@ pub(super) trait Mesh: Debug + Send + Sync {
     fn stress_free(&self, eps_t: ThermalStrain) -> [f64; 2];
 
     /// Takes the unknowns' numbers from the rod's chain of nodal vectors.
-    fn number(&mut self, chain: &[Components]);
+    fn number(&mut self, chain: &[NodeDofs]);
 
     /// Memory for the factors of its matrix; unknowns from `border` on are shared.
     fn chain(&self, border: usize) -> Box<dyn Chain<f64>>;

@@ -6,7 +6,7 @@
 
 use nalgebra::DVector;
 
-use super::unknown_kind::Kind;
+use super::unknown_kind::UnknownKind;
 use super::{Matrix, Structure};
 use crate::elements::ThermalStrain;
 
@@ -23,7 +23,7 @@ impl Structure {
         let heat = thermal.iter().flatten().map(|strain| strain.abs()).fold(0.0, f64::max);
         let floor = times * self.rounding_strain(u, heat);
         let mut entries = residual.iter().zip(&self.unit_forces).zip(&self.kinds);
-        entries.all(|((value, unit), kind)| *kind == Kind::Multiplier || value.abs() <= floor * unit)
+        entries.all(|((value, unit), kind)| *kind == UnknownKind::Multiplier || value.abs() <= floor * unit)
     }
 
     /// Rounding error of an energy, J: ε_mach times the strain energy of a strain of 1.
@@ -57,17 +57,17 @@ impl Structure {
     }
 
     fn largest_unit_force(&self) -> f64 {
-        let positions = self.unit_forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == Kind::Position);
+        let positions = self.unit_forces.iter().zip(&self.kinds).filter(|(_, kind)| **kind == UnknownKind::Position);
         positions.map(|(force, _)| *force).fold(0.0, f64::max)
     }
 
     /// ε_mach times the largest of |u|/l, of the slopes' changes and of the thermal strain `hottest`.
     fn rounding_strain(&self, u: &DVector<f64>, hottest: f64) -> f64 {
-        let size = |(u, kind): (&f64, &Kind)| match kind {
-            Kind::Position => u.abs() / self.shortest,
-            Kind::Slope(_) => u.abs(),
+        let size = |(u, kind): (&f64, &UnknownKind)| match kind {
+            UnknownKind::Position => u.abs() / self.shortest,
+            UnknownKind::Slope(_) => u.abs(),
             // During an iteration λ stands in its place: newtons, no strain.
-            Kind::Multiplier => 0.0,
+            UnknownKind::Multiplier => 0.0,
         };
         f64::EPSILON * u.iter().zip(&self.kinds).map(size).fold(hottest.max(self.rounded), f64::max)
     }

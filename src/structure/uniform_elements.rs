@@ -1,19 +1,19 @@
-//! A rod's elements, all equal. The rod's chain of nodal vectors ([`Components`]) says which unknowns each has, and is looked at
+//! A rod's elements, all equal. The rod's chain of nodal vectors ([`NodeDofs`]) says which unknowns each has, and is looked at
 //! once, when these are numbered.
 
 use std::fmt::Debug;
 
 use nalgebra::{Complex, DVector, SMatrix, SVector, Vector2};
 
-use super::element_dofs::{Place, gather, scatter};
-use super::node_dofs::Components;
-use super::rod_elements::{ElementMatrix, Loaded, Mesh};
+use super::element_dofs::{ElementDofs, gather, scatter};
+use super::node_dofs::NodeDofs;
+use super::rod_elements::{ElementMatrix, Loaded, RodElements};
 use crate::elements::{Beam, Ends, LANES, NodalVector, ThermalStrain};
-use crate::linear::{Chain, Elements, Filling, NONE};
+use crate::linear::{Chain, Filling, FrontalChain, NONE};
 
-/// Equal elements of one kind with `N` nodal coordinates.
+/// UniformElements elements of one kind with `N` nodal coordinates.
 #[derive(Clone, Debug)]
-pub(super) struct Equal<B, const N: usize> {
+pub(super) struct UniformElements<B, const N: usize> {
     pub beam: B,
     /// From node i to node k of an element, m.
     pub along: Vector2<f64>,
@@ -21,10 +21,10 @@ pub(super) struct Equal<B, const N: usize> {
     pub gravity: SVector<f64, N>,
     pub unit_force: f64,
     /// There once unknowns are numbered.
-    pub places: Vec<Place<N>>,
+    pub places: Vec<ElementDofs<N>>,
 }
 
-impl<B: Beam<N>, const N: usize> Equal<B, N> {
+impl<B: Beam<N>, const N: usize> UniformElements<B, N> {
     /// Nodal vectors from an element to the next.
     const STRIDE: usize = N / 2 - 2;
 
@@ -38,7 +38,7 @@ impl<B: Beam<N>, const N: usize> Equal<B, N> {
     }
 
     /// An element's matrix, by columns.
-    fn element_matrix(&self, place: &Place<N>, matrix: &ElementMatrix, columns: &mut [f64]) {
+    fn element_matrix(&self, place: &ElementDofs<N>, matrix: &ElementMatrix, columns: &mut [f64]) {
         let mut put = |stiffness: f64, tangent: &SMatrix<f64, N, N>, mass: f64| {
             for ((entry, tangent), own) in columns.iter_mut().zip(tangent.as_slice()).zip(self.mass.as_slice()) {
                 *entry = tangent * stiffness + own * mass;
@@ -85,7 +85,7 @@ impl<B: Beam<N>, const N: usize> Equal<B, N> {
     }
 }
 
-impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
+impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformElements<B, N> {
     fn vectors(&self) -> &'static [NodalVector] {
         B::VECTORS
     }
@@ -102,20 +102,20 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
         B::stress_free(eps_t)
     }
 
-    fn number(&mut self, chain: &[Components]) {
-        self.places = chain.windows(N / 2).step_by(Self::STRIDE).map(Place::of).collect();
+    fn number(&mut self, chain: &[NodeDofs]) {
+        self.places = chain.windows(N / 2).step_by(Self::STRIDE).map(ElementDofs::of).collect();
     }
 
     fn chain(&self, border: usize) -> Box<dyn Chain<f64>> {
-        Box::new(Elements::<f64, N>::new(self.unknowns(), border))
+        Box::new(FrontalChain::<f64, N>::new(self.unknowns(), border))
     }
 
     fn complex_chain(&self, border: usize) -> Box<dyn Chain<Complex<f64>>> {
-        Box::new(Elements::<Complex<f64>, N>::new(self.unknowns(), border))
+        Box::new(FrontalChain::<Complex<f64>, N>::new(self.unknowns(), border))
     }
 
     fn bytes_each(&self) -> usize {
-        Elements::<f64, N>::bytes_each()
+        FrontalChain::<f64, N>::bytes_each()
     }
 
     fn axis(&self, place: f64, u: &DVector<f64>) -> Vector2<f64> {
@@ -186,7 +186,7 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> Mesh for Equal<B, N> {
     }
 
     fn collapsed(&self, before: &DVector<f64>, u: &DVector<f64>) -> Option<usize> {
-        let left = |place: &Place<N>| self.beam.left(&place.gather(before), &place.gather(u));
+        let left = |place: &ElementDofs<N>| self.beam.left(&place.gather(before), &place.gather(u));
         // A NaN is not over 0.
         self.places.iter().position(|place| left(place).partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater))
     }

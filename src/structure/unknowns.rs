@@ -6,18 +6,18 @@ use nalgebra::{Matrix2, Rotation2, Vector2};
 
 use super::constraint_row::ConstraintRow;
 use super::constraints::{Row, clamped, held_directions};
-use super::node_dofs::Components;
+use super::node_dofs::NodeDofs;
 use super::numbering::order;
 use super::point::Point;
 use super::rod::Rod;
-use super::unknown_kind::Kind;
+use super::unknown_kind::UnknownKind;
 use crate::linear::{BlockLayout, Layout};
 use crate::model::Scene;
 
 /// The unknowns' order and what they measure.
 pub(super) struct Numbering {
     pub layout: Layout,
-    pub kinds: Vec<Kind>,
+    pub kinds: Vec<UnknownKind>,
     pub rows: Vec<ConstraintRow>,
 }
 
@@ -49,7 +49,7 @@ pub(super) fn condensed(scene: &Scene, points: &BTreeMap<String, Point>, rods: &
     let mut numbering = number_own(rods, |rod, vector| at.contains_key(&(rod, vector)), &held);
     for point in order(shared.len(), &touches).into_iter().map(|n| shared[n]) {
         let first = point.nodes[0];
-        let components = held.components(first.rod, first.position, Kind::Position, &mut numbering.kinds);
+        let components = held.components(first.rod, first.position, UnknownKind::Position, &mut numbering.kinds);
         for node in &point.nodes {
             rods[node.rod].chain[node.position] = components;
             numbering.layout.blocks[node.rod].touches.extend(components.unknowns.iter().flatten());
@@ -68,7 +68,7 @@ pub(super) fn with_multipliers(rows: Vec<Row>, rods: &mut [Rod]) -> Numbering {
     let mut numbered = BTreeMap::new();
     for n in order(rows.len(), &touches) {
         let multiplier = numbering.kinds.len();
-        numbering.kinds.push(Kind::Multiplier);
+        numbering.kinds.push(UnknownKind::Multiplier);
         let mut terms = Vec::new();
         for term in &rows[n].terms {
             numbering.layout.blocks[term.rod].touches.push(multiplier);
@@ -115,7 +115,7 @@ impl Held {
 
     /// New unknowns for the components of a nodal vector that are not held; in axes of its own where one oblique
     /// direction is held.
-    fn components(&self, rod: usize, vector: usize, kind: Kind, kinds: &mut Vec<Kind>) -> Components {
+    fn components(&self, rod: usize, vector: usize, kind: UnknownKind, kinds: &mut Vec<UnknownKind>) -> NodeDofs {
         let directions = self.0.get(&(rod, vector)).map_or(&[][..], Vec::as_slice);
         let (held, turn) = match directions {
             [] => ([false; 2], None),
@@ -130,12 +130,12 @@ impl Held {
                 kinds.len() - 1
             })
         });
-        Components { unknowns, turn }
+        NodeDofs { unknowns, turn }
     }
 }
 
 /// How far apart an element's own unknowns, those from `first` on, are numbered. Shared ones have no number yet.
-fn spread(vectors: &[Components], first: usize) -> usize {
+fn spread(vectors: &[NodeDofs], first: usize) -> usize {
     let numbers = || vectors.iter().flat_map(|vector| vector.unknowns).flatten().filter(|&unknown| unknown >= first);
     numbers().max().zip(numbers().min()).map_or(0, |(last, first)| last - first)
 }

@@ -1,6 +1,6 @@
 //! One element's front: its coordinates and the border's beside it, of which those that no later element touches are eliminated.
 
-use super::place::{MOST_BORDER_UNKNOWNS, NONE, Place, SHARED};
+use super::place::{ElementPlaces, MOST_BORDER_UNKNOWNS, NONE, SHARED};
 use crate::linear::number::Number;
 
 /// The least part of the largest entry that serves as a pivot where it stands: changing rows costs more than the digit that may be
@@ -54,7 +54,7 @@ impl<F: Number, const N: usize> Border<F, N> {
 
     /// Takes what is not the chain's own out of an element's matrix: a coordinate of the border goes beside the front, and a
     /// held one away. An equation x = 0 stays in its place.
-    pub fn separate(&mut self, place: &Place<N>, element: &mut [[F; N]; N]) {
+    pub fn separate(&mut self, place: &ElementPlaces<N>, element: &mut [[F; N]; N]) {
         for &(n, touch) in &place.others {
             if let Some(t) = touch {
                 for (m, other) in &place.others {

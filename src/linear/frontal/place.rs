@@ -11,7 +11,7 @@ pub const NONE: u32 = u32::MAX;
 
 /// Where an element's coordinates stand.
 #[derive(Clone, Debug)]
-pub struct Place<const N: usize> {
+pub struct ElementPlaces<const N: usize> {
     /// Unknowns of the chain's own, [`NONE`] for others.
     pub own: [u32; N],
     /// Those others: the coordinate, and its place among the touched unknowns of the border; held ones have none.
@@ -21,9 +21,9 @@ pub struct Place<const N: usize> {
     pub first_side: usize,
 }
 
-impl<const N: usize> Place<N> {
+impl<const N: usize> ElementPlaces<N> {
     /// The place of an element; what it touches and no element before it did is added to `touches`.
-    pub fn new(unknowns: [u32; N], border: usize, touches: &mut Vec<usize>, first_side: usize) -> Place<N> {
+    pub fn new(unknowns: [u32; N], border: usize, touches: &mut Vec<usize>, first_side: usize) -> ElementPlaces<N> {
         let own = unknowns.map(|unknown| if (unknown as usize) < border { unknown } else { NONE });
         let mut others = Vec::new();
         for n in (0..N).filter(|&n| own[n] == NONE) {
@@ -32,6 +32,6 @@ impl<const N: usize> Place<N> {
                 .push((n, touched.map(|touched| touches.iter().position(|&t| t == touched).unwrap_or(touches.len()))));
             touches.extend(touched.filter(|touched| !touches.contains(touched)));
         }
-        Place { own, others, reached: touches.len(), first_side }
+        ElementPlaces { own, others, reached: touches.len(), first_side }
     }
 }

@@ -1,16 +1,16 @@
-//! Chains of elements, alone and with a border between them, against dense matrices.
+//! CondensedFactors of elements, alone and with a border between them, against dense matrices.
 
 use nalgebra::{Complex, DMatrix, DVector};
 use proptest::prelude::*;
 use proptest::test_runner::TestCaseError;
 
 use super::*;
-use crate::linear::Chains;
+use crate::linear::CondensedFactors;
 
 /// Where the unknowns of one chain and of all stand.
 #[derive(Clone, Debug)]
 struct Shape {
-    /// Elements of each chain; those of one share [`SHARED`] coordinates.
+    /// FrontalChain of each chain; those of one share [`SHARED`] coordinates.
     chains: Vec<usize>,
     /// Coordinates that are held, and such that are of the border: the chain, the coordinate in it, the border's unknown.
     held: Vec<(usize, usize)>,
@@ -143,18 +143,18 @@ fn matrices<F: FromPair, const N: usize>(
 }
 
 /// Memory for the factors of a shape.
-fn chains<F: Number, const N: usize>(shape: &Shape) -> Chains<F> {
+fn chains<F: Number, const N: usize>(shape: &Shape) -> CondensedFactors<F> {
     let numbers = shape.numbers(N);
     let chains = numbers.chains.iter().enumerate().map(|(chain, unknowns)| {
         let elements = shape.chains[chain];
         let unknowns = unknowns.clone();
         let of_element = move |element: usize| std::array::from_fn(|n| unknowns[element * (N - SHARED) + n]);
-        Box::new(Elements::<F, N>::new((0..elements).map(of_element), numbers.border)) as Box<dyn Chain<F>>
+        Box::new(FrontalChain::<F, N>::new((0..elements).map(of_element), numbers.border)) as Box<dyn Chain<F>>
     });
-    Chains::new(chains.collect(), numbers.border, shape.border_size, shape.border_size.saturating_sub(1))
+    CondensedFactors::new(chains.collect(), numbers.border, shape.border_size, shape.border_size.saturating_sub(1))
 }
 
-fn factorize<F: Number>(factors: &mut Chains<F>, matrices: &[Vec<Vec<F>>]) -> Result<(), SingularAt> {
+fn factorize<F: Number>(factors: &mut CondensedFactors<F>, matrices: &[Vec<Vec<F>>]) -> Result<(), SingularAt> {
     factors.factorize(|chain, element, columns| columns.copy_from_slice(&matrices[chain][element]))
 }
 
