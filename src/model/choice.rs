@@ -150,7 +150,7 @@ words! {
 
 impl Quantity {
     /// How the names of its columns end.
-    pub fn suffixes(self) -> &'static [&'static str] {
+    pub(crate) fn suffixes(self) -> &'static [&'static str] {
         match self {
             Quantity::Position => &["x", "y"],
             Quantity::Velocity => &["vx", "vy"],

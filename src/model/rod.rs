@@ -129,7 +129,7 @@ impl Rod {
     }
 
     /// Whether it has a node of this name: where it begins, where it ends, or its pivot.
-    pub fn has_node(&self, point: &str) -> bool {
+    pub(crate) fn has_node(&self, point: &str) -> bool {
         self.from == point || self.to == point || self.pivot.as_deref() == Some(point)
     }
 }

@@ -216,7 +216,7 @@ impl Scene {
     }
 
     /// How far its points reach, m: the diagonal of the rectangle around them.
-    pub fn size(&self) -> f64 {
+    pub(crate) fn size(&self) -> f64 {
         let reach = |axis: usize| {
             let places = || self.points.values().map(move |point| point[axis]);
             places().fold(f64::NEG_INFINITY, f64::max) - places().fold(f64::INFINITY, f64::min)
@@ -225,7 +225,7 @@ impl Scene {
     }
 
     /// A rod's length, m; 0 if one of its ends is no point.
-    pub fn length(&self, rod: &Rod) -> f64 {
+    pub(crate) fn length(&self, rod: &Rod) -> f64 {
         match (self.points.get(&rod.from), self.points.get(&rod.to)) {
             (Some([x_0, y_0]), Some([x_1, y_1])) => (x_1 - x_0).hypot(y_1 - y_0),
             _ => 0.0,
@@ -233,13 +233,13 @@ impl Scene {
     }
 
     /// Initial position of a rod's middle.
-    pub fn middle(&self, rod: &Rod) -> Option<[f64; 2]> {
+    pub(crate) fn middle(&self, rod: &Rod) -> Option<[f64; 2]> {
         let ([x_0, y_0], [x_1, y_1]) = (self.points.get(&rod.from)?, self.points.get(&rod.to)?);
         Some([x_0 + 0.5 * (x_1 - x_0), y_0 + 0.5 * (y_1 - y_0)])
     }
 
     /// Whether energies are recorded: not in statics, where loads that grow slowly put in what is stored.
-    pub fn has_energies(&self) -> bool {
+    pub(crate) fn has_energies(&self) -> bool {
         self.output.energy && self.time.method != Method::Static
     }
 

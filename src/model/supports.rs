@@ -47,7 +47,7 @@ impl Support {
     }
 
     /// Unit vectors along which it holds its point.
-    pub fn held(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn held(&self) -> Vec<[f64; 2]> {
         let axis = |direction: &Direction| match direction {
             Direction::X => [1.0, 0.0],
             Direction::Y => [0.0, 1.0],
@@ -56,7 +56,7 @@ impl Support {
     }
 
     /// The unit vector across its slide, along which it holds the point. Scaled first, as squares under- and overflow.
-    pub fn across(&self) -> Option<[f64; 2]> {
+    pub(crate) fn across(&self) -> Option<[f64; 2]> {
         let [x, y] = self.slide?;
         let size = x.abs().max(y.abs());
         let (x, y) = (x / size, y / size);
