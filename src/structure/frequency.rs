@@ -6,7 +6,7 @@ use super::rod::Rod;
 use super::rod_elements::ElementMatrix;
 use super::{MassFactors, Structure};
 use crate::elements::{Meaning, ThermalStrain};
-use crate::equations::material;
+use crate::equations::material::{LameConstants, YoungPoisson};
 use crate::linear::{Pencil, SingularAt, largest_eigenvalue};
 use crate::model::{self, Element, Material, Scene};
 
@@ -108,7 +108,10 @@ impl Structure {
     pub fn wave_time(scene: &Scene, rod: &model::Rod) -> f64 {
         let Material { youngs_modulus, nu, rho, .. } = *scene.material(rod);
         let stiff = match rod.element {
-            Element::Ancf => material::lambda(youngs_modulus, nu) + 2.0 * material::mu(youngs_modulus, nu),
+            Element::Ancf => {
+                let LameConstants { lambda, mu } = YoungPoisson { E: youngs_modulus, nu }.into();
+                lambda + 2.0 * mu
+            }
             Element::EulerBernoulli => youngs_modulus,
         };
         scene.length(rod) / (stiff / rho).sqrt()
