@@ -1,7 +1,7 @@
 //! Vectors and 2 × 2 blocks of the plane, for one element or for several side by side.
 //!
 //! x and y of one element are computed in one instruction of the processor. [`Vector`] and [`Scalar`] let a formula be
-//! written once for one element and for several ([`lanes`](super::lanes)).
+//! written once for one element and for several (`lanes.rs`).
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -4,8 +4,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::ThermalModel;
 use crate::equations::material::YoungPoisson;
+use crate::model::ThermalModel;
 
 /// State of a beam element with `N` nodal coordinates: geometry, motion, material, temperature, and the points to look at.
 ///

@@ -4,10 +4,11 @@
 
 use nalgebra::Vector2;
 
+use super::beam::CableState;
 use super::entries::rows;
-use super::{CableState, ThermalModel};
 use crate::equations::cable::{self, Vector8};
 use crate::equations::motion;
+use crate::model::ThermalModel;
 
 /// Value of a `quantity` (`cable.…`) of [`CONTENTS`](crate::equations::CONTENTS) for the state of a cable element.
 ///

@@ -4,12 +4,13 @@
 
 use nalgebra::{Vector2, Vector3};
 
+use super::beam::ElementState;
 use super::entries::rows;
-use super::{ElementState, ThermalModel};
 use crate::equations::element::{Element, Matrix14};
 use crate::equations::material::LameConstants;
 use crate::equations::shape::Vector14;
 use crate::equations::{axis, force, inertia, material, motion, shape, strain};
+use crate::model::ThermalModel;
 
 impl ElementState {
     /// Thermal strain ε_T of the state's model, in global axes: (8), or that of the 1D model.

@@ -2,9 +2,9 @@
 
 #![allow(non_snake_case)] // The keys of the JSON contract: E, dT.
 
-use super::{BeamState, CableState, ElementState, ThermalModel};
+use super::beam::{BeamState, CableState, ElementState};
 use crate::error::Result;
-use crate::model::{Refused, read_json};
+use crate::model::{Refused, ThermalModel, read_json};
 
 /// Allowed distance of e0 from the straight, unstretched element of `theta`, as a fraction of 1 + l.
 const STRAIGHT: f64 = 1e-9;
