@@ -1,4 +1,4 @@
-//! `kernel` is the element of `equations`, consistent form, on the oracle's states and on random ones; and the forces of
+//! `elements::Ancf` is the element of `equations`, consistent form, on the oracle's states and on random ones; and the forces of
 //! an energy–momentum step, which only it has, do exactly the work that they must.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
