@@ -8,9 +8,10 @@
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use ancf::equations::force::{self, Element, Matrix14};
+use ancf::equations::element::{Element, Matrix14};
+use ancf::equations::material::{LameConstants, YoungPoisson};
 use ancf::equations::shape::Vector14;
-use ancf::equations::{cable, material};
+use ancf::equations::{cable, force};
 use ancf::internals::elements::{Ancf, Beam, Cable, Ends, Law};
 use ancf::model::Poisson;
 use ancf::nalgebra::{SMatrix, SVector, Vector3};
@@ -41,19 +42,10 @@ struct Case<const N: usize> {
 }
 
 impl<const N: usize> Case<N> {
-    /// A straight element, displaced by a wave along its coordinates.
-    fn new(vectors: &[ancf::internals::elements::NodalVector]) -> Case<N> {
-        let (sin, cos) = THETA.sin_cos();
-        let initial = |i: usize| {
-            let (meaning, at) = vectors[i / 2];
-            match meaning {
-                ancf::internals::elements::Meaning::Position => L * at * [cos, sin][i % 2],
-                ancf::internals::elements::Meaning::SlopeX => [cos, sin][i % 2],
-                ancf::internals::elements::Meaning::SlopeY => [-sin, cos][i % 2],
-            }
-        };
+    /// An element of the initial coordinates `e_0`, displaced by a wave along them.
+    fn new(e_0: SVector<f64, N>) -> Case<N> {
         let wave = |size: f64| SVector::from_fn(|i, _| size * (1.0 + i as f64).sin());
-        Case { u: [wave(1e-3), wave(1.1e-3)], e_0: SVector::from_fn(|i, _| initial(i)), eps_T: [HEAT, HEAT] }
+        Case { u: [wave(1e-3), wave(1.1e-3)], e_0, eps_T: [HEAT, HEAT] }
     }
 
     fn ends(&self) -> Ends<'_, SVector<f64, N>> {
@@ -75,22 +67,21 @@ impl<const N: usize> Case<N> {
 /// The paper's element as `equations` has it.
 struct Paper {
     element: Element,
-    lambda: f64,
-    mu: f64,
+    lame: LameConstants,
     eps_T: Vector3<f64>,
 }
 
 impl Paper {
     /// (19) with K of (20) and K₁, K₂, K₃ of (21).
     fn force(&self, e: &Vector14) -> Vector14 {
-        let Paper { element, lambda, mu, eps_T } = self;
+        let Paper { element, lame, eps_T } = self;
         let (K_1, K_2, K_3) =
             (force::K_1(e, eps_T, element), force::K_2(e, eps_T, element), force::K_3(e, eps_T, element));
-        force::Q_e(e, &force::K(*lambda, *mu, &K_1, &K_2, &K_3))
+        force::Q_e(e, &force::K(*lame, &K_1, &K_2, &K_3))
     }
 
     fn tangent(&self, e: &Vector14) -> Matrix14 {
-        force::tangent(e, &self.eps_T, self.lambda, self.mu, &self.element)
+        force::tangent(e, &self.eps_T, self.lame, &self.element)
     }
 }
 
@@ -118,15 +109,16 @@ fn main() {
         .sample_size(20)
         .configure_from_args();
 
-    let case = Case::<14>::new(Ancf::VECTORS);
-    let (lambda, mu) = (material::lambda(E, NU), material::mu(E, NU));
-    let beam = Ancf::new(L, H, H, THETA, Law { lambda, mu, poisson: Poisson::Full });
-    let element = Element { l: L, h: H, w: H, e_0: case.e_0 };
-    let paper = Paper { element, lambda, mu, eps_T: Vector3::new(HEAT, HEAT, 0.0) };
+    let element = Element::straight(L, H, H, THETA);
+    let case = Case::new(element.e_0);
+    let lame = LameConstants::from(YoungPoisson { E, nu: NU });
+    let beam = Ancf::new(L, H, H, THETA, Law { lame, poisson: Poisson::Full });
+    let paper = Paper { element, lame, eps_T: Vector3::new(HEAT, HEAT, 0.0) };
     let e = case.e_0 + case.u[0];
     same("ancf", beam.force(&case.u[0], case.eps_T).as_slice(), paper.force(&e).as_slice());
 
-    let cable_case = Case::<8>::new(Cable::VECTORS);
+    let (sin, cos) = THETA.sin_cos();
+    let cable_case = Case::new(cable::Vector8::from([0.0, 0.0, cos, sin, L * cos, L * sin, cos, sin]));
     let competitor = Competitor { EA: E * H * H, EI: E * H.powi(4) / 12.0 };
     let cable = Cable::new(L, THETA, competitor.EA, competitor.EI);
     let cable_e = cable_case.e_0 + cable_case.u[0];

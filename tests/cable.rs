@@ -1,4 +1,4 @@
-//! `kernel::Cable` is the element of `equations::cable` on random states; and the forces of an energy–momentum step, which only
+//! `elements::Cable` is the element of `equations::cable` on random states; and the forces of an energy–momentum step, which only
 //! it has, do exactly the work that they must, though its strains are no polynomials.
 
 #![allow(non_snake_case)] // The symbols of the literature are names here.

@@ -1,5 +1,5 @@
-//! What is left of an element: `Beam::left` is the least det J of `equations/` over the quadrature points; a run ends where it is not
-//! over 0, with rod, element and time.
+//! Collapse of an element: `Beam::min_det_j` is the smallest det J of `equations/` over the quadrature points. A run ends where it is
+//! ≤ 0 or NaN, with rod, element and time.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
@@ -7,6 +7,7 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
+use ancf::equations::material::LameConstants;
 use ancf::equations::{cable, shape, strain, volume};
 use ancf::error::Error;
 use ancf::internals::elements::{Ancf, Beam, Cable, Law};
@@ -20,25 +21,25 @@ proptest! {
 
     /// Displacements up to three times the element, so that a third of the states has collapsed.
     #[test]
-    fn what_is_left_is_the_least_determinant(s in states(), far in 0.0..3.0f64, seed in any::<[i8; 14]>()) {
+    fn min_det_j_is_the_least_determinant(s in states(), far in 0.0..3.0f64, seed in any::<[i8; 14]>()) {
         let element = s.element();
         let u = nalgebra::SVector::<f64, 14>::from_fn(|i, _| {
             let size = if matches!(i / 2, 0 | 2 | 5) { s.l } else { 1.0 };
             far * size * f64::from(seed[i]) / 128.0
         });
-        let kernel = Ancf::new(s.l, s.h, s.w, s.theta, Law { lambda: 1.0, mu: 1.0, poisson: Poisson::Full });
+        let kernel = Ancf::new(s.l, s.h, s.w, s.theta, Law { lame: LameConstants { lambda: 1.0, mu: 1.0 }, poisson: Poisson::Full });
         let e = element.e_0 + u;
         let determinants = volume::gauss_points(s.l, s.h, s.w)
             .map(|point| strain::J(point.x, point.y, &e, &element).determinant());
         let expected = determinants.into_iter().fold(f64::INFINITY, f64::min);
         let scale = (1.0 + far * (1.0 + s.h / s.l)).powi(2) * 100.0;
-        let found = kernel.left(&u, &u);
+        let found = kernel.min_det_j(&u, &u);
         prop_assert!((found - expected).abs() <= 1e-14 * scale, "{found:e}, {expected:e}");
     }
 
     /// Euler–Bernoulli: the outermost fibre's |r_x| − |y| |θ_x|, of r_x and r_xx at the three points of the curvature.
     #[test]
-    fn what_is_left_is_the_least_stretch_of_a_fibre(theta in -3.2..3.2f64, h in 0.01..0.5f64, seed in any::<[i8; 8]>()) {
+    fn min_det_j_of_a_cable_is_the_least_stretch_of_a_fibre(theta in -3.2..3.2f64, h in 0.01..0.5f64, seed in any::<[i8; 8]>()) {
         let (l, t) = (1.3, nalgebra::Vector2::new(theta.cos(), theta.sin()));
         let e_0 = cable::Vector8::from_fn(|i, _| match i / 2 { 1 | 3 => t[i % 2], 2 => l * t[i % 2], _ => 0.0 });
         let u = cable::Vector8::from_fn(|i, _| 1.5 * f64::from(seed[i]) / 128.0);
@@ -52,7 +53,7 @@ proptest! {
             .into_iter()
             .fold(f64::INFINITY, f64::min);
         // From the state itself nothing has turned: the squares of r_x at the five points are no less than 0.
-        let found = beam.left(&u, &u);
+        let found = beam.min_det_j(&u, &u);
         let squares = volume::axis_points(&volume::GAUSS_5, l).map(|(x, _)| cable::r_x(x, &(e_0 + u), l).norm_squared());
         let expected = squares.into_iter().fold(expected, f64::min);
         prop_assert!((found - expected).abs() <= 1e-12 * (1.0 + expected.abs()), "{found:e}, {expected:e}");
@@ -67,21 +68,25 @@ fn an_axis_that_turns_by_more_than_a_right_angle_is_not_followed() {
         let (sin, cos) = degrees.to_radians().sin_cos();
         cable::Vector8::from([0.0, 0.0, cos - 1.0, sin, cos - 1.0, sin, cos - 1.0, sin])
     };
-    assert!(beam.left(&turned(0.0), &turned(80.0)) > 0.1 && beam.left(&turned(0.0), &turned(100.0)) < -0.1);
-    assert!(beam.left(&turned(0.0), &turned(180.0)) < -0.9 && beam.left(&turned(100.0), &turned(180.0)) > 0.1);
+    assert!(beam.min_det_j(&turned(0.0), &turned(80.0)) > 0.1 && beam.min_det_j(&turned(0.0), &turned(100.0)) < -0.1);
+    assert!(
+        beam.min_det_j(&turned(0.0), &turned(180.0)) < -0.9 && beam.min_det_j(&turned(100.0), &turned(180.0)) > 0.1
+    );
     // All seven vectors of the paper's element turned: det J is 1.
-    let ancf = Ancf::new(1.0, 0.1, 0.1, 0.0, Law { lambda: 0.0, mu: 1.0, poisson: Poisson::Full });
+    let ancf =
+        Ancf::new(1.0, 0.1, 0.1, 0.0, Law { lame: LameConstants { lambda: 0.0, mu: 1.0 }, poisson: Poisson::Full });
     let half = nalgebra::SVector::<f64, 14>::from([0., 0., 0., -2., -1., 0., -2., 0., 0., -2., -2., 0., 0., -2.]);
-    assert!((ancf.left(&half, &half) - 1.0).abs() < 1e-15);
+    assert!((ancf.min_det_j(&half, &half) - 1.0).abs() < 1e-15);
 }
 
 /// A NaN has collapsed, too.
 #[test]
-fn what_is_no_number_has_collapsed() {
-    let ancf = Ancf::new(1.0, 0.1, 0.1, 0.0, Law { lambda: 0.0, mu: 1.0, poisson: Poisson::Full });
+fn a_nan_has_collapsed() {
+    let ancf =
+        Ancf::new(1.0, 0.1, 0.1, 0.0, Law { lame: LameConstants { lambda: 0.0, mu: 1.0 }, poisson: Poisson::Full });
     let mut u = nalgebra::SVector::<f64, 14>::zeros();
     u[6] = f64::NAN;
-    assert!(ancf.left(&u, &u).is_nan());
+    assert!(ancf.min_det_j(&u, &u).is_nan());
 }
 
 /// The second of two rods is pressed to nothing: the error names it, the element and the time.

@@ -7,12 +7,13 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::equations::force::{self, Element, Matrix14};
+use ancf::equations::element::{Element, Matrix14};
+use ancf::equations::material::{LameConstants, YoungPoisson};
 use ancf::equations::shape::{self, Nodes, Vector14};
-use ancf::equations::{material, motion, strain};
+use ancf::equations::{force, motion, strain};
 use nalgebra::{DMatrix, DVector, Matrix2, Vector2, Vector3};
 use proptest::prelude::*;
-use states::{Energy, K, POSITIONS, Sizes, assert_within, axes, cases, element, moved, states, turned, uniform};
+use states::{Energy, K, POSITIONS, Sizes, assert_within, axes, cases, moved, states, turned, uniform};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 const L: f64 = 2.0;
@@ -25,13 +26,12 @@ const E: f64 = 2e8;
 struct Rod {
     element: Element,
     theta: f64,
-    lambda: f64,
-    mu: f64,
+    lame: LameConstants,
 }
 
 impl Rod {
     fn new(theta: f64, nu: f64) -> Rod {
-        Rod { element: element(L, H, W, theta), theta, lambda: material::lambda(E, nu), mu: material::mu(E, nu) }
+        Rod { element: Element::straight(L, H, W, theta), theta, lame: YoungPoisson { E, nu }.into() }
     }
 
     /// Nodal coordinates for the uniform stretches `along` and `across` the rod.
@@ -47,11 +47,11 @@ impl Rod {
 
     /// (19), consistent.
     fn Q_e(&self, e: &Vector14, eps_T: &Vector3<f64>) -> Vector14 {
-        force::Q_e(e, &K(force::K, e, eps_T, self.lambda, self.mu, &self.element))
+        force::Q_e(e, &K(force::K, e, eps_T, self.lame, &self.element))
     }
 
     fn sizes(&self, e: &Vector14, heat: f64) -> Sizes {
-        Sizes::of(&self.element, self.lambda, self.mu, heat, e)
+        Sizes::of(&self.element, self.lame, heat, e)
     }
 }
 
@@ -103,8 +103,8 @@ proptest! {
 
         let zero = Vector3::zeros();
         let (K_1, K_2) = (force::K_1(&e_0, &zero, &rod.element), force::K_2(&e_0, &zero, &rod.element));
-        let K = force::K_printed(rod.lambda, rod.mu, &K_1, &K_2, &force::K_3_printed(&e_0, &rod.element));
-        let sigma = Matrix2::new(0.0, 1.0, 1.0, 0.0) * (-rod.mu / 2.0);
+        let K = force::K_printed(rod.lame, &K_1, &K_2, &force::K_3_printed(&e_0, &rod.element));
+        let sigma = Matrix2::new(0.0, 1.0, 1.0, 0.0) * (-rod.lame.mu / 2.0);
         let (t, n) = axes(theta);
         let expected = force_of_stress(sigma * t, sigma * n);
         assert_within("Q_e at rest, printed", force::Q_e(&e_0, &K).as_slice(), expected.as_slice(), &scale);
@@ -119,13 +119,13 @@ proptest! {
         theta in -3.2..3.2, nu in -0.9..0.49, a in -0.3..0.3, b in -0.3..0.3,
     ) {
         let rod = Rod::new(theta, nu);
-        let Rod { lambda, mu, .. } = rod;
+        let LameConstants { lambda, mu } = rod.lame;
         let e = rod.strained(a, b);
         let V = AREA * L;
         let U = V * (0.5 * lambda * (a + b).powi(2) + mu * (a * a + b * b));
         let lacking = V * mu * (theta.sin() * theta.cos() * (a - b)).powi(2);
         let [consistent, printed] =
-            [force::U, force::U_printed].map(|U| U(&e, &Vector3::zeros(), lambda, mu, &rod.element));
+            [force::U, force::U_printed].map(|U| U(&e, &Vector3::zeros(), rod.lame, &rod.element));
         let scale = [rod.sizes(&e, 0.0).energy()];
         assert_within("U", &[consistent], &[U], &scale);
         assert_within("U, printed", &[printed], &[U - lacking], &scale);
@@ -145,7 +145,7 @@ proptest! {
 
         let mut e = stretched(1.0 + heat_t, 1.0 + heat_n);
         for _ in 0..12 {
-            let K = force::tangent(&e, &eps_T, s.lambda(), s.mu(), &element);
+            let K = force::tangent(&e, &eps_T, s.lame(), &element);
             e -= (K + hold_rigid_motions(&e, s.E * area / l, l)).lu().solve(&s.Q_e(&e)).unwrap();
         }
 
@@ -186,8 +186,7 @@ fn e3_printed_rod_at_45_degrees_loses_a_third_of_its_axial_stiffness() {
     let a = 0.03;
     let uniaxial = 0.5 * E * AREA * L * a * a;
     // In units of the uniaxial energy, over b in units of a.
-    let energy =
-        |U: Energy, b: f64| U(&rod.strained(a, b * a), &Vector3::zeros(), rod.lambda, rod.mu, &rod.element) / uniaxial;
+    let energy = |U: Energy, b: f64| U(&rod.strained(a, b * a), &Vector3::zeros(), rod.lame, &rod.element) / uniaxial;
     let scale = [rod.sizes(&rod.strained(a, a), 0.0).energy() / uniaxial; 3];
     let third = 1.0 / 3.0;
     let consistent = [-third, 0.0, third].map(|b| energy(force::U, b));
@@ -207,7 +206,7 @@ fn m1_free_expansion_in_the_plane_is_without_poissons_ratio() {
     assert_within("free", rod.Q_e(&free, &eps_T).as_slice(), &[0.0; 14], &rod.sizes(&free, heat).force());
 
     let plane_strain = rod.strained((1.0 + nu) * heat, (1.0 + nu) * heat);
-    let sigma = 2.0 * (rod.lambda + rod.mu) * nu * heat;
+    let sigma = 2.0 * (rod.lame.lambda + rod.lame.mu) * nu * heat;
     let ((t, n), stretch) = (axes(rod.theta), (1.0 + 2.0 * (1.0 + nu) * heat).sqrt());
     let expected = force_of_stress(stretch * sigma * t, stretch * sigma * n);
     let scale = rod.sizes(&plane_strain, heat).force();
@@ -225,7 +224,7 @@ fn m2_the_stress_free_stretch_is_a_square_root() {
         assert_within("√(1 + 2αΔT)", rod.Q_e(&free, &eps_T).as_slice(), &[0.0; 14], &rod.sizes(&free, 0.3).force());
 
         let linear = rod.stretched(1.0 + heat, 1.0 + heat);
-        let sigma = 2.0 * (rod.lambda + rod.mu) * 0.5 * heat * heat;
+        let sigma = 2.0 * (rod.lame.lambda + rod.lame.mu) * 0.5 * heat * heat;
         let ((t, n), stretch) = (axes(rod.theta), 1.0 + heat);
         let expected = force_of_stress(stretch * sigma * t, stretch * sigma * n);
         let scale = rod.sizes(&linear, 0.3).force();

@@ -7,6 +7,8 @@ mod common;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
+use ancf::equations::element::Element;
+use ancf::equations::material::{LameConstants, YoungPoisson};
 use ancf::equations::{CONTENTS, Entry};
 use ancf::state::{evaluate, evaluate_cable, evaluate_system};
 use common::cable::{self, cables};
@@ -168,4 +170,39 @@ fn a_configuration_is_undeformed_against_itself() {
         assert!(within(TOLERANCE, &J, &identity, &vec![size; J.len()]), "{}: {J:?}", case.id);
     }
     assert!(deformed >= 5, "hardly a state with another volume than at first");
+}
+
+/// e₀ of every state is that of a straight element, moved to its first node.
+#[test]
+fn the_straight_element_has_the_initial_coordinates_of_every_state() {
+    for case in EQUATIONS.cases() {
+        let s = &case.state;
+        let element = Element::straight(s.l, s.h, s.w, s.theta);
+        assert_eq!((element.l, element.h, element.w), (s.l, s.h, s.w), "{}", case.id);
+        let is_position = |row: usize| matches!(row / 2, 0 | 2 | 5);
+        let start = |row: usize| if is_position(row) { s.e0[row % 2] } else { 0.0 };
+        let moved: Vec<f64> = element.e_0.iter().enumerate().map(|(row, e)| e + start(row)).collect();
+        let scale: Vec<f64> = (0..14).map(|row| 1.0 + start(row).abs() + s.l).collect();
+        let ratio = worst_ratio(&moved, &s.e0, &scale);
+        assert!(within(TOLERANCE, &moved, &s.e0, &scale), "{}: {ratio:.1e}", case.id);
+    }
+}
+
+/// (17) both ways: λ and μ of the oracle are those of E and ν, and give E and ν back.
+#[test]
+fn moduli_are_converted_both_ways() {
+    for case in EQUATIONS.cases() {
+        let moduli = case.state.moduli();
+        let lame = LameConstants::from(moduli);
+        let expected = [case.scalar("17.lambda"), case.scalar("17.mu")];
+        let scale = [scale("17.lambda", &case)[0], scale("17.mu", &case)[0]];
+        assert!(within(TOLERANCE, &[lame.lambda, lame.mu], &expected, &scale), "{}: {lame:?}", case.id);
+
+        let back = YoungPoisson::from(LameConstants { lambda: expected[0], mu: expected[1] });
+        // Near ν = ½ the sums are of large λ; near −1 the numbers cancel.
+        let scale = [moduli.E * (1.0 + 1.0 / (1.0 + moduli.nu)), 1.0 + 1.0 / (1.0 + moduli.nu)];
+        let found = [back.E, back.nu];
+        let ratio = worst_ratio(&found, &[moduli.E, moduli.nu], &scale);
+        assert!(within(TOLERANCE, &found, &[moduli.E, moduli.nu], &scale), "{}: {ratio:.1e}", case.id);
+    }
 }

@@ -1,4 +1,4 @@
-//! `kernel` is the element of `equations`, consistent form, on the oracle's states and on random ones; and the forces of
+//! `elements::Ancf` is the element of `equations`, consistent form, on the oracle's states and on random ones; and the forces of
 //! an energy–momentum step, which only it has, do exactly the work that they must.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
@@ -7,6 +7,7 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
+use ancf::equations::material::LameConstants;
 use ancf::equations::shape::Vector14;
 use ancf::equations::{axis, force};
 use ancf::internals::elements::{Ancf, Beam, Ends, Law};
@@ -27,9 +28,9 @@ fn the_kernel_meets_the_oracle() {
     let mut failures = Vec::new();
     for case in Equations::load().cases() {
         let s = &case.state;
-        let (lambda, mu) = (case.scalar("17.lambda"), case.scalar("17.mu"));
-        let [kernel, axis] = [Poisson::Full, Poisson::Axis]
-            .map(|poisson| Ancf::new(s.l, s.h, s.w, s.theta, Law { lambda, mu, poisson }));
+        let lame = LameConstants { lambda: case.scalar("17.lambda"), mu: case.scalar("17.mu") };
+        let [kernel, axis] =
+            [Poisson::Full, Poisson::Axis].map(|poisson| Ancf::new(s.l, s.h, s.w, s.theta, Law { lame, poisson }));
         let heat = s.alpha * s.dT;
         let eps_T = match s.model {
             ThermalModel::TwoD => [heat, heat],
@@ -60,7 +61,7 @@ fn kernel(s: &State) -> Ancf {
 }
 
 fn kernel_with(s: &State, poisson: Poisson) -> Ancf {
-    Ancf::new(s.l, s.h, s.w, s.theta, Law { lambda: s.lambda(), mu: s.mu(), poisson })
+    Ancf::new(s.l, s.h, s.w, s.theta, Law { lame: s.lame(), poisson })
 }
 
 /// A step with another displacement and another temperature at its end.
@@ -77,7 +78,7 @@ fn sizes_of_displacements(s: &State) -> Sizes {
     let u = s.u[0].abs().sup(&s.u[1].abs());
     let heat = s.heat[0].abs().max(s.heat[1].abs());
     // The components of a turned vector are at most √2 times the larger of its own.
-    Sizes::of(&s.element(), s.lambda(), s.mu(), heat, &(2f64.sqrt() * u)).beyond(1.0)
+    Sizes::of(&s.element(), s.lame(), heat, &(2f64.sqrt() * u)).beyond(1.0)
 }
 
 proptest! {
@@ -87,7 +88,7 @@ proptest! {
     fn the_kernel_is_the_equations_element(s in states()) {
         let (kernel, u, eps_T, e) = (kernel(&s), s.e(0) - s.element().e_0, s.eps_T_own(0), s.e(0));
         let sizes = s.sizes(&e);
-        let tangent = force::tangent(&e, &s.eps_T(0), s.lambda(), s.mu(), &s.element());
+        let tangent = force::tangent(&e, &s.eps_T(0), s.lame(), &s.element());
         assert_within("U", &[kernel.energy(&u, eps_T)], &[s.U(&e)], &[sizes.energy()]);
         assert_within("Q_e", kernel.force(&u, eps_T).as_slice(), s.Q_e(&e).as_slice(), &sizes.force());
         assert_within("∂Q_e/∂e", &rows(&kernel.tangent(&u, eps_T)), &rows(&tangent), &sizes.tangent());
@@ -115,10 +116,10 @@ proptest! {
         let (kernel, u, eps_T, e) = (kernel_with(&s, Poisson::Axis), s.e(0) - s.element().e_0, s.eps_T_own(0), s.e(0));
         let (heat, element, sizes) = (Vector3::new(eps_T[0], eps_T[1], 0.0), s.element(), s.sizes(&e));
         // E* is no larger than λ + 2μ, so the terms are of the same sizes.
-        assert_within("U", &[kernel.energy(&u, eps_T)], &[axis::U(&e, &heat, s.E, s.nu, &element)], &[sizes.energy()]);
-        let Q = axis::Q_e(&e, &heat, s.E, s.nu, &element);
+        assert_within("U", &[kernel.energy(&u, eps_T)], &[axis::U(&e, &heat, s.moduli(), &element)], &[sizes.energy()]);
+        let Q = axis::Q_e(&e, &heat, s.moduli(), &element);
         assert_within("Q_e", kernel.force(&u, eps_T).as_slice(), Q.as_slice(), &sizes.force());
-        let tangent = axis::tangent(&e, &heat, s.E, s.nu, &element);
+        let tangent = axis::tangent(&e, &heat, s.moduli(), &element);
         assert_within("∂Q_e/∂e", &rows(&kernel.tangent(&u, eps_T)), &rows(&tangent), &sizes.tangent());
     }
 
@@ -181,7 +182,7 @@ proptest! {
         let stretch = if sign { 1.0 } else { -1.0 } * 10f64.powf(exponent);
         let (t, _) = axes(theta);
         let u = uniform(l, stretch * t, 0.0 * t);
-        let kernel = Ancf::new(l, h, w, theta, Law { lambda: 0.0, mu: E / 2.0, poisson: Poisson::Full });
+        let kernel = Ancf::new(l, h, w, theta, Law { lame: LameConstants { lambda: 0.0, mu: E / 2.0 }, poisson: Poisson::Full });
         let Q = kernel.force(&u, [0.0, 0.0]);
         let N = E * h * w * (stretch + 0.5 * stretch * stretch) * (1.0 + stretch);
         let [at_i, at_k] = [0, 10].map(|row| Q[row] * t.x + Q[row + 1] * t.y);
@@ -205,8 +206,8 @@ fn ten_thousand_states() {
         let (u, eps_T, e) = (s.e(0) - s.element().e_0, s.eps_T_own(0), s.e(0));
         let (sizes, element) = (s.sizes(&e), s.element());
         let heat = Vector3::new(eps_T[0], eps_T[1], 0.0);
-        let full = (s.Q_e(&e), force::tangent(&e, &s.eps_T(0), s.lambda(), s.mu(), &element));
-        let axis = (axis::Q_e(&e, &heat, s.E, s.nu, &element), axis::tangent(&e, &heat, s.E, s.nu, &element));
+        let full = (s.Q_e(&e), force::tangent(&e, &s.eps_T(0), s.lame(), &element));
+        let axis = (axis::Q_e(&e, &heat, s.moduli(), &element), axis::tangent(&e, &heat, s.moduli(), &element));
         for (poisson, (Q, K)) in [(Poisson::Full, full), (Poisson::Axis, axis)] {
             let kernel = kernel_with(&s, poisson);
             let (force, tangent) = (kernel.force(&u, eps_T), rows(&kernel.tangent(&u, eps_T)));

@@ -9,6 +9,7 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
+use ancf::equations::material::LameConstants;
 use ancf::equations::shape::Vector14;
 use ancf::internals::elements::{Beam, Ends, PrintedShear};
 use ancf::model::Model;
@@ -24,7 +25,13 @@ use states::{State, assert_within, cases, five_point, rows, states, unit};
 fn the_element_meets_the_oracle() {
     for case in Equations::load().cases() {
         let s = &case.state;
-        let element = PrintedShear::new(s.l, s.h, s.w, s.theta, case.scalar("17.lambda"), case.scalar("17.mu"));
+        let element = PrintedShear::new(
+            s.l,
+            s.h,
+            s.w,
+            s.theta,
+            LameConstants { lambda: case.scalar("17.lambda"), mu: case.scalar("17.mu") },
+        );
         let heat = s.alpha * s.dT;
         let eps_T = match s.model {
             ThermalModel::TwoD => [heat, heat],
@@ -45,7 +52,7 @@ fn the_element_meets_the_oracle() {
 }
 
 fn element(s: &State) -> PrintedShear {
-    PrintedShear::new(s.l, s.h, s.w, s.theta, s.lambda(), s.mu())
+    PrintedShear::new(s.l, s.h, s.w, s.theta, s.lame())
 }
 
 fn displacements(s: &State) -> [Vector14; 2] {

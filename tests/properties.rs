@@ -8,9 +8,10 @@ mod common;
 #[path = "common/states.rs"]
 mod states;
 
-use ancf::equations::force::{self, Element, Matrix14};
+use ancf::equations::element::{Element, Matrix14};
+use ancf::equations::material::LameConstants;
 use ancf::equations::shape::{self, Vector14};
-use ancf::equations::{inertia, strain, volume};
+use ancf::equations::{force, inertia, strain, volume};
 use common::TOLERANCE;
 use nalgebra::{Vector2, Vector3};
 use proptest::prelude::*;
@@ -26,7 +27,7 @@ fn sizes_of_S(element: &Element) -> [f64; 14] {
     std::array::from_fn(|i| N[i / 2])
 }
 
-type Tangent = fn(&Vector14, &Vector3<f64>, f64, f64, &Element) -> Matrix14;
+type Tangent = fn(&Vector14, &Vector3<f64>, LameConstants, &Element) -> Matrix14;
 
 /// Energy, stiffness and tangent that belong together: the consistent ones and those with the printed shear (E3).
 const FORMS: [(Energy, Stiffness, Tangent); 2] =
@@ -149,22 +150,22 @@ proptest! {
     /// times the rounding of what it is taken of.
     #[test]
     fn forces_and_tangent_are_derivatives(s in states()) {
-        let (e, eps_T, element, lambda, mu) = (s.e(0), s.eps_T(0), s.element(), s.lambda(), s.mu());
+        let (e, eps_T, element, lame) = (s.e(0), s.eps_T(0), s.element(), s.lame());
         let Sizes { D, .. } = s.sizes(&e);
         let sizes = s.sizes(&e).beyond(2.0);
         let force_scale = D.map(|d| 1.5 * sizes.energy() * d);
         let tangent_scale: Vec<f64> = sizes.force().iter().flat_map(|f| D.map(|d| 1.5 * f * d)).collect();
 
         for (form, (U, sum, tangent)) in ["consistent", "printed shear"].iter().zip(FORMS) {
-            let Q_e = |e: &Vector14| force::Q_e(e, &K(sum, e, &eps_T, lambda, mu, &element));
+            let Q_e = |e: &Vector14| force::Q_e(e, &K(sum, e, &eps_T, lame, &element));
             let dU: [f64; 14] = std::array::from_fn(|i| {
-                five_point(|step| U(&(e + unit(i, step)), &eps_T, lambda, mu, &element), 1.0 / D[i])
+                five_point(|step| U(&(e + unit(i, step)), &eps_T, lame, &element), 1.0 / D[i])
             });
             assert_within(&format!("Q_e, {form}"), Q_e(&e).as_slice(), &dU, &force_scale);
 
             let columns: [Vector14; 14] =
                 std::array::from_fn(|i| five_point(|step| Q_e(&(e + unit(i, step))), 1.0 / D[i]));
-            let K_t = tangent(&e, &eps_T, lambda, mu, &element);
+            let K_t = tangent(&e, &eps_T, lame, &element);
             let dQ = Matrix14::from_columns(&columns);
             assert_within(&format!("tangent, {form}"), &rows(&K_t), &rows(&dQ), &tangent_scale);
             assert_within(&format!("symmetry, {form}"), &rows(&K_t), &rows(&K_t.transpose()), &sizes.tangent());

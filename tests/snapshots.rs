@@ -6,13 +6,11 @@
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
 mod common;
-#[path = "common/states.rs"]
-mod states;
 
-use ancf::equations::force::{self, Matrix14};
-use ancf::equations::{inertia, shape};
+use ancf::equations::element::{Element, Matrix14};
+use ancf::equations::material::LameConstants;
+use ancf::equations::{force, inertia, shape};
 use nalgebra::Vector3;
-use states::element;
 
 /// x as a fraction of small numbers, which everything here is, to 1e-13 of the table's largest entry; a zero has no
 /// sign. Denominators to 1000 meet an arbitrary number that closely less than once in a thousand times.
@@ -84,7 +82,7 @@ sum r_y adds the slopes r_y, a turn of the sections: 1/12 of the same, from h²/
 #[test]
 fn mass_matrix() {
     let (l, h, w, rho) = (2.0, 0.5, 0.25, 8.0);
-    let M = inertia::M(rho, &element(l, h, w, 0.0));
+    let M = inertia::M(rho, &Element::straight(l, h, w, 0.0));
     // M = M₇ ⊗ I₂, to the last bit: both axes add up the same products, and between them there are none.
     for (row, column) in (0..14).flat_map(|row| (0..14).map(move |column| (row, column))) {
         let expected = if row % 2 == column % 2 { M[(row - row % 2, column - column % 2)] } else { 0.0 };
@@ -131,9 +129,9 @@ GA/6 on the sections; a unit thickening EA/6, 2EA/3, EA/6.
 #[test]
 fn tangent_at_rest() {
     let (l, h, w, E) = (2.0, 0.2, 0.5, 1e6);
-    let element = element(l, h, w, 0.0);
+    let element = Element::straight(l, h, w, 0.0);
     let (A, I) = (h * w, w * h.powi(3) / 12.0);
-    let K = force::tangent(&element.e_0, &Vector3::zeros(), 0.0, E / 2.0, &element);
+    let K = force::tangent(&element.e_0, &Vector3::zeros(), LameConstants { lambda: 0.0, mu: E / 2.0 }, &element);
 
     let axial: [Coordinate; 4] = [(0, "r_i x", 1.0), (4, "r_j x", 1.0), (10, "r_k x", 1.0), (6, "r_x_j x", l)];
     let bending: [Coordinate; 7] = [

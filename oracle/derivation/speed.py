@@ -18,7 +18,7 @@ def at_axis(component):
 def write(page):
     """The chapter."""
     page.heading("8 For speed: the section by hand")
-    page.rust("kernel.ancf::Ancf")
+    page.rust("elements.ancf::Ancf")
     page.words("""Fifteen Gauss points with matrices of 14 rows are the formulas as they read, not how a program
         should run. Four steps make the same numbers faster: the kernel that takes them
         is 350 times as fast in the force and 130 times in the tangent (`cargo bench --bench kernel`, measured in

@@ -1,20 +1,18 @@
-//! The paper's element, consistent form. Four things differ from the paper's arrangement; none changes a result
+//! The paper's element, consistent form, by four changes of arrangement. None changes a result
 //! (`oracle/DERIVATION.md#8-for-speed-the-section-by-hand`):
 //!
-//! * **Through the thickness by hand.** With y across the section, r(x, y) = r₀(x) + y d(x): a cubic axis r₀ and a
-//!   quadratic director d. All strains are polynomials in y,
-//!   ε₁₁ = a₀ + a₁y + a₂y², ε₂₂ = c, 2ε₁₂ = g₀ + g₁y, so ∫dy needs only A = wh, I = wh³/12 and wh⁵/80, and
-//!   five Gauss points along the axis remain of the fifteen.
-//! * **In the rod's own axes.** The consistent energy is the same in every frame, so J₀ is the identity.
-//! * **In displacements.** With u = e − e₀, p = u₀', δ = u_d, κ = u_d' and the initial unit vectors t and n:
+//! * **Integration through the thickness by hand.** With y across the section, r(x, y) = r₀(x) + y d(x): a cubic axis r₀ and a
+//!   quadratic director d. All strains are polynomials in y: ε₁₁ = a₀ + a₁y + a₂y², ε₂₂ = c, 2ε₁₂ = g₀ + g₁y. So ∫dy needs only
+//!   A = wh, I = wh³/12 and wh⁵/80, and of the fifteen Gauss points the five along the axis remain.
+//! * **The rod's own axes.** The consistent energy is equal in every frame, so J₀ is the identity.
+//! * **Displacements.** With u = e − e₀, p = u₀', δ = u_d, κ = u_d' and the initial unit vectors t and n:
 //!   a₀ = t·p + ½p·p, c = n·δ + ½δ·δ, g₀ = t·δ + n·p + p·δ, a₁ = r'·κ, g₁ = d·κ, a₂ = ½κ·κ. No 1 is
 //!   subtracted from a number near 1, so small strains keep their digits.
-//! * **In coefficients.** p and δ are quadratic in ζ = 2x/l − 1. Sections act on their coefficients by the moments Σ w ζⁿ (…) over the
+//! * **Coefficients.** p and δ are quadratic in ζ = 2x/l − 1. Sections act on the coefficients by the moments Σ w ζⁿ (…) over the
 //!   Gauss points; a small linear map takes these to the nodes.
 
 #![allow(non_snake_case)] // The symbols of the derivation are names here: A, I, H, N, eps_T.
 
-pub(super) mod collapse;
 mod section;
 
 use nalgebra::Vector2;
@@ -22,58 +20,66 @@ use nalgebra::Vector2;
 pub use section::Law;
 use section::{Resultants, Section, SectionLaw, Stiffness};
 
-use super::Meaning::{Position, SlopeX, SlopeY};
-use super::plane::{
-    Block, LANES, Linear, Quadratic, Scalar, Station, Vec2, Vector, add_at, add_moments, add_slope_at, at, coordinates,
-    each, matrix, nodal, side_by_side, slope_at, stations, vec2,
-};
-use super::{Beam, Ends, NodalVector, ThermalStrain};
-use crate::equations::force::Matrix14;
+use super::beam::{Beam, Ends, ThermalStrain};
+use super::collapse::{OUTERMOST, cross, smallest};
+use super::lanes::{LANES, each, side_by_side};
+use super::layout::{coordinates, matrix, nodal};
+use super::nodal_vector::Meaning::{Position, SlopeX, SlopeY};
+use super::nodal_vector::NodalVector;
+use super::plane::{Block, Linear, Scalar, Vec2, Vector, vec2};
+use super::polynomial::{GaussPoint, Quadratic, add_at, add_moments, add_slope_at, at, gauss_points, slope_at};
+use crate::equations::element::Matrix14;
 use crate::equations::shape::{S, Vector14};
 use crate::equations::volume::GAUSS_5;
 
-/// One straight element: everything about it that does not change in time.
+/// The paper's element, straight and in its consistent form, arranged for speed.
+///
+/// It holds everything that is constant in time, and is shared by all equal elements of a rod.
 #[derive(Clone, Debug)]
 pub struct Ancf {
+    /// Unit vector along the element.
     t: Vec2,
+    /// Unit vector across it.
     n: Vec2,
     /// 1/l
     per_length: f64,
-    stations: [Station; 5],
+    points: [GaussPoint; 5],
     law: SectionLaw,
     /// h/2
     half_height: f64,
 }
 
-/// The element's displacement as polynomials along it: p = u₀' and δ, whose slope is l/2 κ.
+/// Displacement of an element as polynomials in ζ: p = u₀', and δ with the derivative l/2 κ.
 struct Shape<V> {
     p: Quadratic<V>,
     delta: Quadratic<V>,
 }
 
-/// Moments Σ w ζⁿ H of the stations' stiffnesses, n = 0 … 4.
+/// Moments Σ w ζⁿ H of the section stiffnesses at the Gauss points, n = 0 … 4.
 type Moments = [[[Block; 5]; 3]; 3];
 
 impl Ancf {
-    /// An element of length `l`, section `h` × `w` (m) and inclination `theta` (rad).
+    /// Element of length `l`, section `h` × `w` (m) and inclination `theta` (rad).
     pub fn new(l: f64, h: f64, w: f64, theta: f64, law: Law) -> Ancf {
-        let stations = stations(&GAUSS_5, l);
+        let points = gauss_points(&GAUSS_5, l);
         let (sin, cos) = theta.sin_cos();
         let (t, n, law) = (vec2(cos, sin), vec2(-sin, cos), SectionLaw::new(law, h, w));
-        Ancf { t, n, per_length: 1.0 / l, stations, law, half_height: 0.5 * h }
+        Ancf { t, n, per_length: 1.0 / l, points, law, half_height: 0.5 * h }
     }
 
-    /// The same element with Poisson's terms computed, be they zero or not.
-    pub fn with_poissons_terms(mut self, Law { lambda, poisson, .. }: Law, h: f64, w: f64) -> Ancf {
-        self.law.coupling = Some(SectionLaw::coupling(lambda, poisson, w * h, w * h.powi(3) / 12.0));
+    /// Makes the element compute Poisson's terms even where they are zero.
+    pub fn with_poissons_terms(mut self, Law { lame, poisson }: Law, h: f64, w: f64) -> Ancf {
+        self.law.coupling = Some(SectionLaw::coupling(lame.lambda, poisson, w * h, w * h.powi(3) / 12.0));
         self
     }
 
-    /// The polynomials of a displacement's nodal vectors. A cubic axis through the end points and the middle, with its slope there, has
+    /// Polynomials of a displacement from its nodal vectors.
+    ///
+    /// A cubic axis through the ends and the middle, with its slope in the middle, has
     /// r' = r'ʲ + 2(rⁱ + rᵏ − 2rʲ)/l ζ + 3((rᵏ − rⁱ)/l − r'ʲ) ζ².
     #[inline(always)]
     fn shape<V: Vector>(&self, [r_i, d_i, r_j, r_x_j, d_j, r_k, d_k]: [V; 7]) -> Shape<V> {
-        // Differences of neighbours first: they carry no rounding error of a displacement far from the start.
+        // Differences of neighbours come first: they lose no digits to a large rigid displacement.
         let (first, second) = ((r_j - r_i) * self.per_length, (r_k - r_j) * self.per_length);
         let (d_first, d_second) = (d_j - d_i, d_k - d_j);
         Shape {
@@ -82,13 +88,13 @@ impl Ancf {
         }
     }
 
-    /// The same of a displacement's coordinates.
+    /// Polynomials of a displacement from its coordinates.
     #[inline(always)]
     fn shape_of(&self, u: &Vector14) -> Shape<Vec2> {
         self.shape(nodal(u.as_slice()))
     }
 
-    /// Forces on the nodal vectors from those on the polynomials' coefficients, p's and then δ's: the transpose of
+    /// Forces on the nodal vectors from the forces on the coefficients of p and then of δ: the transpose of
     /// [`shape`](Ancf::shape).
     #[inline(always)]
     fn to_nodes<T: Linear>(&self, [p_0, p_1, p_2, d_0, d_1, d_2]: &[T; 6]) -> [T; 7] {
@@ -97,18 +103,18 @@ impl Ancf {
         [p_1 - p_2_end, d_2_end - d_1, p_1 * -2.0, *p_0 - *p_2 * 3.0, *d_0 - *d_2, p_1 + p_2_end, d_2_end + d_1]
     }
 
-    /// Section vectors and elastic strains at a station.
+    /// Section vectors and elastic strains at a Gauss point.
     #[inline(always)]
     fn section<V: Vector>(
         &self,
-        station: &Station,
+        point: &GaussPoint,
         shape: &Shape<V>,
         eps_T: ThermalStrain,
     ) -> (Section<V>, Resultants<V::Number>) {
         let [half, along, across] = [0.5, eps_T[0], eps_T[1]].map(V::Number::of);
         let (t, n) = (V::of(self.t), V::of(self.n));
-        let (p, delta) = (at(station.zeta, &shape.p), at(station.zeta, &shape.delta));
-        let kappa = slope_at(station.zeta, &shape.delta) * (2.0 * self.per_length);
+        let (p, delta) = (at(point.zeta, &shape.p), at(point.zeta, &shape.delta));
+        let kappa = slope_at(point.zeta, &shape.delta) * (2.0 * self.per_length);
         let (r_x, d) = (t + p, n + delta);
         let strains = Resultants {
             a: [t.dot(p) + half * p.dot(p) - along, r_x.dot(kappa), half * kappa.dot(kappa)],
@@ -118,63 +124,63 @@ impl Ancf {
         (Section { r_x, d, kappa }, strains)
     }
 
-    /// Adds the force Bᵀ N of a station to those on the coefficients of p and of δ.
+    /// Adds the force Bᵀ N of a Gauss point to the forces on the coefficients of p and of δ.
     #[inline(always)]
     fn add_force<V: Vector>(
         &self,
-        station: &Station,
+        point: &GaussPoint,
         section: &Section<V>,
         N: &Resultants<V::Number>,
         [Q_p, Q_delta]: &mut [Quadratic<V>; 2],
     ) {
         let Section { r_x, d, kappa } = *section;
-        let Resultants { a, c, g } = N.map(|force| V::Number::of(station.weight) * force);
+        let Resultants { a, c, g } = N.map(|force| V::Number::of(point.weight) * force);
         let f_p = r_x.times(a[0]) + d.times(g[0]) + kappa.times(a[1]);
         let f_delta = d.times(c) + r_x.times(g[0]) + kappa.times(g[1]);
         let f_kappa = r_x.times(a[1]) + d.times(g[1]) + kappa.times(a[2]);
-        add_at(station.zeta, f_p, Q_p);
-        add_at(station.zeta, f_delta, Q_delta);
-        add_slope_at(station.zeta, f_kappa * (2.0 * self.per_length), Q_delta);
+        add_at(point.zeta, f_p, Q_p);
+        add_at(point.zeta, f_delta, Q_delta);
+        add_slope_at(point.zeta, f_kappa * (2.0 * self.per_length), Q_delta);
     }
 
-    /// Forces on the nodal vectors of a displacement, of one element or of several side by side.
+    /// Elastic forces on the nodal vectors, of one element or of several side by side.
     #[inline(always)]
     fn nodal_force<V: Vector>(&self, u: [V; 7], eps_T: ThermalStrain) -> [V; 7] {
         let shape = self.shape(u);
         let mut Q = [[V::ZERO; 3]; 2];
-        for station in &self.stations {
-            let (section, strains) = self.section(station, &shape, eps_T);
-            self.add_force(station, &section, &self.law.forces(&strains), &mut Q);
+        for point in &self.points {
+            let (section, strains) = self.section(point, &shape, eps_T);
+            self.add_force(point, &section, &self.law.forces(&strains), &mut Q);
         }
         let [[p_0, p_1, p_2], [d_0, d_1, d_2]] = Q;
         self.to_nodes(&[p_0, p_1, p_2, d_0, d_1, d_2])
     }
 
-    /// The same of an energy–momentum step.
+    /// Forces of an energy–momentum step on the nodal vectors, of one element or of several side by side.
     #[inline(always)]
     fn nodal_mean_force<V: Vector>(&self, [u_0, u_1]: [[V; 7]; 2], [eps_T0, eps_T1]: [ThermalStrain; 2]) -> [V; 7] {
         let (shape_0, shape_1) = (self.shape(u_0), self.shape(u_1));
         let mut Q = [[V::ZERO; 3]; 2];
-        for station in &self.stations {
-            let (section_0, strains_0) = self.section(station, &shape_0, eps_T0);
-            let (section_1, strains_1) = self.section(station, &shape_1, eps_T1);
+        for point in &self.points {
+            let (section_0, strains_0) = self.section(point, &shape_0, eps_T0);
+            let (section_1, strains_1) = self.section(point, &shape_1, eps_T1);
             let N = self.law.forces(&strains_0.mean(strains_1));
-            self.add_force(station, &section_0.midpoint(&section_1), &N, &mut Q);
+            self.add_force(point, &section_0.midpoint(&section_1), &N, &mut Q);
         }
         let [[p_0, p_1, p_2], [d_0, d_1, d_2]] = Q;
         self.to_nodes(&[p_0, p_1, p_2, d_0, d_1, d_2])
     }
 
-    /// Adds a station's stiffness to the moments.
-    fn add_stiffness(station: &Station, H: &Stiffness, moments: &mut Moments) {
+    /// Adds the stiffness of a Gauss point to the moments.
+    fn add_stiffness(point: &GaussPoint, H: &Stiffness, moments: &mut Moments) {
         for (row, H) in moments.iter_mut().zip(H) {
             for (moments, H) in row.iter_mut().zip(H) {
-                add_moments(station.zeta, *H, moments);
+                add_moments(point.zeta, *H, moments);
             }
         }
     }
 
-    /// The element's matrix Σ Bᵀ H B. The coefficient m of δ moves δ by ζᵐ and κ by 2m ζᵐ⁻¹/l.
+    /// Matrix of the element, Σ Bᵀ H B. The coefficient m of δ changes δ by ζᵐ and κ by 2m ζᵐ⁻¹/l.
     fn matrix(&self, moments: &Moments) -> Matrix14 {
         let [[pp, pd, pk], [dp, dd, dk], [kp, kd, kk]] = moments;
         let slope = |m: usize| 2.0 * self.per_length * m as f64;
@@ -207,7 +213,7 @@ impl Beam<14> for Ancf {
         (SlopeY, 1.0),
     ];
 
-    /// √(1 + 2ε) − 1 (M2).
+    /// √(1 + 2ε_T) − 1 (M2).
     fn stress_free(eps_T: ThermalStrain) -> [f64; 2] {
         eps_T.map(|strain| (1.0 + 2.0 * strain).sqrt() - 1.0)
     }
@@ -216,17 +222,24 @@ impl Beam<14> for Ancf {
         S(fraction * l, 0.0, l) * u
     }
 
-    fn left(&self, _before: &Vector14, u: &Vector14) -> f64 {
-        self.least_determinant(u)
+    /// With J = [r₀' + yκ, d], det J is r₀' × d + y κ × d. It is linear in y, so it is smallest at an outermost Gauss point.
+    fn min_det_j(&self, _before: &Vector14, u: &Vector14) -> f64 {
+        let shape: Shape<Vec2> = self.shape_of(u);
+        let delta: &Quadratic<Vec2> = &shape.delta;
+        smallest(self.points.iter().map(|point| {
+            let (r_x, d) = (self.t + at(point.zeta, &shape.p), self.n + at(point.zeta, delta));
+            let kappa = slope_at(point.zeta, delta) * (2.0 * self.per_length);
+            cross(r_x, d) - OUTERMOST * self.half_height * cross(kappa, d).abs()
+        }))
     }
 
     fn energy(&self, u: &Vector14, eps_T: ThermalStrain) -> f64 {
         let shape = self.shape_of(u);
-        let of = |station: &Station| {
-            let (_, strains) = self.section(station, &shape, eps_T);
-            0.5 * station.weight * strains.dot(self.law.forces(&strains))
+        let of = |point: &GaussPoint| {
+            let (_, strains) = self.section(point, &shape, eps_T);
+            0.5 * point.weight * strains.dot(self.law.forces(&strains))
         };
-        self.stations.iter().map(of).sum()
+        self.points.iter().map(of).sum()
     }
 
     fn force(&self, u: &Vector14, eps_T: ThermalStrain) -> Vector14 {
@@ -240,10 +253,10 @@ impl Beam<14> for Ancf {
     fn tangent(&self, u: &Vector14, eps_T: ThermalStrain) -> Matrix14 {
         let shape = self.shape_of(u);
         let mut moments = [[[Block::ZERO; 5]; 3]; 3];
-        for station in &self.stations {
-            let (section, strains) = self.section(station, &shape, eps_T);
-            let H = section.stiffness(&section, &self.law, &self.law.forces(&strains), station.weight);
-            Ancf::add_stiffness(station, &H, &mut moments);
+        for point in &self.points {
+            let (section, strains) = self.section(point, &shape, eps_T);
+            let H = section.stiffness(&section, &self.law, &self.law.forces(&strains), point.weight);
+            Ancf::add_stiffness(point, &H, &mut moments);
         }
         self.matrix(&moments)
     }
@@ -251,12 +264,12 @@ impl Beam<14> for Ancf {
     fn mixed_tangent(&self, before: &Vector14, u: &Vector14, eps_T: ThermalStrain) -> Matrix14 {
         let (shape_before, shape) = (self.shape_of(before), self.shape_of(u));
         let mut moments = [[[Block::ZERO; 5]; 3]; 3];
-        for station in &self.stations {
-            let (section_before, strains) = self.section(station, &shape_before, eps_T);
-            let (section, _) = self.section(station, &shape, eps_T);
+        for point in &self.points {
+            let (section_before, strains) = self.section(point, &shape_before, eps_T);
+            let (section, _) = self.section(point, &shape, eps_T);
             let expected = strains.zip(section.change_since(&section_before), |a, b| a + b);
-            let H = section.stiffness(&section, &self.law, &self.law.forces(&expected), station.weight);
-            Ancf::add_stiffness(station, &H, &mut moments);
+            let H = section.stiffness(&section, &self.law, &self.law.forces(&expected), point.weight);
+            Ancf::add_stiffness(point, &H, &mut moments);
         }
         self.matrix(&moments)
     }
@@ -274,12 +287,12 @@ impl Beam<14> for Ancf {
     fn mean_tangent(&self, ends: &Ends<Vector14>) -> Matrix14 {
         let (shape_0, shape_1) = (self.shape_of(ends.u_0), self.shape_of(ends.u_1));
         let mut moments = [[[Block::ZERO; 5]; 3]; 3];
-        for station in &self.stations {
-            let (section_0, strains_0) = self.section(station, &shape_0, ends.thermal_0);
-            let (section_1, strains_1) = self.section(station, &shape_1, ends.thermal_1);
+        for point in &self.points {
+            let (section_0, strains_0) = self.section(point, &shape_0, ends.thermal_0);
+            let (section_1, strains_1) = self.section(point, &shape_1, ends.thermal_1);
             let N = self.law.forces(&strains_0.mean(strains_1));
-            let H = section_0.midpoint(&section_1).stiffness(&section_1, &self.law, &N, 0.5 * station.weight);
-            Ancf::add_stiffness(station, &H, &mut moments);
+            let H = section_0.midpoint(&section_1).stiffness(&section_1, &self.law, &N, 0.5 * point.weight);
+            Ancf::add_stiffness(point, &H, &mut moments);
         }
         self.matrix(&moments)
     }
@@ -287,12 +300,12 @@ impl Beam<14> for Ancf {
     fn heating_work(&self, ends: &Ends<Vector14>) -> f64 {
         let (shape_0, shape_1) = (self.shape_of(ends.u_0), self.shape_of(ends.u_1));
         let change = [ends.thermal_1[0] - ends.thermal_0[0], ends.thermal_1[1] - ends.thermal_0[1]];
-        let of = |station: &Station| {
-            let (_, strains_0) = self.section(station, &shape_0, ends.thermal_0);
-            let (_, strains_1) = self.section(station, &shape_1, ends.thermal_1);
+        let of = |point: &GaussPoint| {
+            let (_, strains_0) = self.section(point, &shape_0, ends.thermal_0);
+            let (_, strains_1) = self.section(point, &shape_1, ends.thermal_1);
             let N = self.law.forces(&strains_0.mean(strains_1));
-            -station.weight * (N.a[0] * change[0] + N.c * change[1])
+            -point.weight * (N.a[0] * change[0] + N.c * change[1])
         };
-        self.stations.iter().map(of).sum()
+        self.points.iter().map(of).sum()
     }
 }

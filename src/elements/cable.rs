@@ -1,13 +1,12 @@
 //! The paper's competitor, [`equations::cable`](crate::equations::cable), in displacements.
 //!
-//! With u = e − e₀, p = u_x, s = u_xx and the initial unit vector t: r_x = t + p, r_xx = s, and
-//! |r_x| − 1 = (2t·p + p·p)/(1 + |r_x|), which subtracts no 1 from a number near 1. p is quadratic in ζ = 2x/l − 1 and s its slope, so that stations
-//! act on three coefficients, as in the paper's element ([`Ancf`](super::Ancf)).
+//! With u = e − e₀, p = u_x, s = u_xx and the initial unit vector t, r_x = t + p and r_xx = s. The axial strain
+//! |r_x| − 1 = (2t·p + p·p)/(1 + |r_x|) subtracts no 1 from a number near 1. p is quadratic in ζ = 2x/l − 1, and s is its
+//! derivative along x, so the Gauss points act on three coefficients, as in the paper's element ([`Ancf`](super::Ancf)).
 
 #![allow(non_snake_case)] // The symbols of the derivation are names here: EA, EI, N, M, A, B, H, K, Q.
 
 mod axis;
-mod collapse;
 mod step;
 
 use nalgebra::Vector2;
@@ -15,49 +14,58 @@ use nalgebra::Vector2;
 use axis::{Bend, Blocks, Both, Stretch, combined, outers};
 use step::{BendStep, StretchStep};
 
-use super::Meaning::{Position, SlopeX};
-use super::plane::{
-    Block, LANES, Linear, Quadratic, Scalar, Station, Vec2, Vector, add_at, add_moments, add_slope_at, at, coordinates,
-    each, matrix, nodal, side_by_side, slope_at, stations, vec2,
-};
-use super::{Beam, Ends, NodalVector, ThermalStrain};
+use super::beam::{Beam, Ends, ThermalStrain};
+use super::collapse::{OUTERMOST, smallest};
+use super::lanes::{LANES, each, side_by_side};
+use super::layout::{coordinates, matrix, nodal};
+use super::nodal_vector::Meaning::{Position, SlopeX};
+use super::nodal_vector::NodalVector;
+use super::plane::{Block, Linear, Scalar, Vec2, Vector, vec2};
+use super::polynomial::{GaussPoint, Quadratic, add_at, add_moments, add_slope_at, at, gauss_points, slope_at};
 use crate::equations::cable::{Matrix8, S_i, Vector8};
 use crate::equations::volume::{GAUSS_3, GAUSS_5};
 
-/// One straight element: everything about it that does not change in time.
+/// The cable element, straight, arranged for speed.
+///
+/// It holds everything that is constant in time, and is shared by all equal elements of a rod.
 #[derive(Clone, Debug)]
 pub struct Cable {
+    /// Unit vector along the element.
     t: Vec2,
     /// 1/l
     per_length: f64,
-    axial: [Station; 5],
-    bending: [Station; 3],
+    /// Gauss points of the axial strain.
+    axial: [GaussPoint; 5],
+    /// Gauss points of the curvature.
+    bending: [GaussPoint; 3],
     EA: f64,
     EI: f64,
 }
 
-/// Moments Σ w ζⁿ H of the stations' stiffnesses in (p, s), n = 0 … 4.
+/// Moments Σ w ζⁿ H of the stiffnesses in (p, s) at the Gauss points, n = 0 … 4.
 type Moments = [[[Block; 5]; 2]; 2];
 
-/// Adds one station's stiffness in (p, s) to the moments.
+/// Adds the stiffness in (p, s) of a Gauss point to the moments.
 #[inline(always)]
-fn add_stiffness(station: &Station, H: &Blocks, moments: &mut Moments) {
+fn add_stiffness(point: &GaussPoint, H: &Blocks, moments: &mut Moments) {
     for (row, H) in moments.iter_mut().zip(H) {
         for (moments, H) in row.iter_mut().zip(H) {
-            add_moments(station.zeta, *H, moments);
+            add_moments(point.zeta, *H, moments);
         }
     }
 }
 
 impl Cable {
-    /// An element of length `l` (m), inclination `theta` (rad) and the stiffnesses `EA` (N) and `EI` (N m²).
+    /// Element of length `l` (m), inclination `theta` (rad) and the stiffnesses `EA` (N) and `EI` (N m²).
     pub fn new(l: f64, theta: f64, EA: f64, EI: f64) -> Cable {
         let (sin, cos) = theta.sin_cos();
-        let (axial, bending) = (stations(&GAUSS_5, l), stations(&GAUSS_3, l));
+        let (axial, bending) = (gauss_points(&GAUSS_5, l), gauss_points(&GAUSS_3, l));
         Cable { t: vec2(cos, sin), per_length: 1.0 / l, axial, bending, EA, EI }
     }
 
-    /// p = u_x of nodal vectors as a polynomial; its slope is l/2 u_xx. With Δ = (rᵏ − rⁱ)/l, the mean m of the ends' slopes and their difference 2d,
+    /// Polynomial p = u_x of a displacement from its nodal vectors; its derivative with respect to ζ is l/2 u_xx.
+    ///
+    /// With Δ = (rᵏ − rⁱ)/l, the mean m of the slopes at both ends and their difference 2d,
     /// r_x = ½(3Δ − m) + d ζ + 3/2 (m − Δ) ζ².
     #[inline(always)]
     fn shape<V: Vector>(&self, [r_i, slope_i, r_k, slope_k]: [V; 4]) -> Quadratic<V> {
@@ -65,13 +73,13 @@ impl Cable {
         [chord * 1.5 - mean * 0.5, (slope_k - slope_i) * 0.5, (mean - chord) * 1.5]
     }
 
-    /// The same of a displacement's coordinates.
+    /// Polynomial p of a displacement from its coordinates.
     #[inline(always)]
     fn shape_of(&self, u: &Vector8) -> Quadratic<Vec2> {
         self.shape(nodal(u.as_slice()))
     }
 
-    /// Forces on the nodal vectors from those on the polynomial's coefficients: the transpose of [`shape`](Cable::shape).
+    /// Forces on the nodal vectors from the forces on the coefficients of p: the transpose of [`shape`](Cable::shape).
     #[inline(always)]
     fn to_nodes<T: Linear>(&self, [p_0, p_1, p_2]: &[T; 3]) -> [T; 4] {
         let chord = (*p_0 - *p_2) * (1.5 * self.per_length);
@@ -79,51 +87,52 @@ impl Cable {
         [chord * -1.0, mean - difference, chord, mean + difference]
     }
 
-    /// Adds a force on (p, s) at a station to those on the coefficients.
+    /// Adds a force on (p, s) at a Gauss point to the forces on the coefficients.
     #[inline(always)]
-    fn add_bending<V: Vector>(&self, station: &Station, [f_p, f_s]: Both<V>, Q: &mut Quadratic<V>) {
-        add_at(station.zeta, f_p, Q);
-        add_slope_at(station.zeta, f_s * (2.0 * self.per_length), Q);
+    fn add_bending<V: Vector>(&self, point: &GaussPoint, [f_p, f_s]: Both<V>, Q: &mut Quadratic<V>) {
+        add_at(point.zeta, f_p, Q);
+        add_slope_at(point.zeta, f_s * (2.0 * self.per_length), Q);
     }
 
-    /// Forces on the nodal vectors of a displacement, of one element or of several side by side.
+    /// Elastic forces on the nodal vectors, of one element or of several side by side.
     #[inline(always)]
     fn nodal_force<V: Vector>(&self, u: [V; 4], eps_T: f64) -> [V; 4] {
         let shape = self.shape(u);
         let [EA, EI, eps_T] = [self.EA, self.EI, eps_T].map(V::Number::of);
         let mut Q = [V::ZERO; 3];
-        for station in &self.axial {
-            let stretch = self.stretch(station, &shape);
+        for point in &self.axial {
+            let stretch = self.stretch(point, &shape);
             let N = EA * (stretch.strain - eps_T);
-            add_at(station.zeta, stretch.rate().times(V::Number::of(station.weight) * N), &mut Q);
+            add_at(point.zeta, stretch.rate().times(V::Number::of(point.weight) * N), &mut Q);
         }
-        for station in &self.bending {
-            let bend = self.bend(station, &shape);
-            let M = V::Number::of(station.weight) * EI * bend.kappa();
-            self.add_bending(station, bend.rate().map(|rate| rate.times(M)), &mut Q);
+        for point in &self.bending {
+            let bend = self.bend(point, &shape);
+            let M = V::Number::of(point.weight) * EI * bend.kappa();
+            self.add_bending(point, bend.rate().map(|rate| rate.times(M)), &mut Q);
         }
         self.to_nodes(&Q)
     }
 
-    /// The same of an energy–momentum step.
+    /// Forces of an energy–momentum step on the nodal vectors, of one element or of several side by side.
     #[inline(always)]
     fn nodal_mean_force<V: Vector>(&self, u: [[V; 4]; 2], eps_T: [f64; 2]) -> [V; 4] {
         let shapes = u.map(|u| self.shape(u));
         let mut Q = [V::ZERO; 3];
-        for station in &self.axial {
-            let step = self.stretches(station, &shapes, eps_T);
-            add_at(station.zeta, step.rate().times(V::Number::of(station.weight) * step.mean_force(self.EA)), &mut Q);
+        for point in &self.axial {
+            let step = self.stretches(point, &shapes, eps_T);
+            add_at(point.zeta, step.rate().times(V::Number::of(point.weight) * step.mean_force(self.EA)), &mut Q);
         }
-        for station in &self.bending {
-            let step = self.bends(station, &shapes);
-            let M = V::Number::of(station.weight) * step.mean_moment(self.EI);
-            self.add_bending(station, step.rate().map(|rate| rate.times(M)), &mut Q);
+        for point in &self.bending {
+            let step = self.bends(point, &shapes);
+            let M = V::Number::of(point.weight) * step.mean_moment(self.EI);
+            self.add_bending(point, step.rate().map(|rate| rate.times(M)), &mut Q);
         }
         self.to_nodes(&Q)
     }
 
-    /// The element's matrix from the moments of its axial and of its bending stiffness. The coefficient m moves p by ζᵐ and s by
-    /// 2m ζᵐ⁻¹/l.
+    /// Matrix of the element from the moments of its axial and of its bending stiffness.
+    ///
+    /// The coefficient m changes p by ζᵐ and s by 2m ζᵐ⁻¹/l.
     fn matrix(&self, axial: &[Block; 5], bending: &Moments) -> Matrix8 {
         let [[pp, ps], [sp, ss]] = bending;
         let slope = |m: usize| 2.0 * self.per_length * m as f64;
@@ -142,42 +151,44 @@ impl Cable {
         Matrix8::from(matrix(&of_coefficients, |forces| self.to_nodes(forces)))
     }
 
+    /// Stretch of the axis at a Gauss point.
     #[inline(always)]
-    fn stretch<V: Vector>(&self, station: &Station, shape: &Quadratic<V>) -> Stretch<V> {
+    fn stretch<V: Vector>(&self, point: &GaussPoint, shape: &Quadratic<V>) -> Stretch<V> {
         let [one, two] = [1.0, 2.0].map(V::Number::of);
-        let (t, p) = (V::of(self.t), at(station.zeta, shape));
+        let (t, p) = (V::of(self.t), at(point.zeta, shape));
         let r_x = t + p;
         let length = r_x.dot(r_x).sqrt();
-        // One division for both: they take as long as ten multiplications.
+        // One division for both inverses: a division takes as long as ten multiplications.
         let both = one / (length * (one + length));
         let strain = (two * t.dot(p) + p.dot(p)) * (length * both);
         Stretch { r_x, length, inverse: (one + length) * both, strain }
     }
 
-    /// Second derivative of a station's axial energy in p, its geometric part from the elastic strain `expected`.
+    /// Second derivative in p of the axial energy of a Gauss point; the geometric part from the elastic strain `expected`.
     #[inline(always)]
-    fn axial_stiffness(&self, station: &Station, stretch: &Stretch<Vec2>, expected: f64) -> Block {
-        let (EA, rate) = (station.weight * self.EA, stretch.rate());
+    fn axial_stiffness(&self, point: &GaussPoint, stretch: &Stretch<Vec2>, expected: f64) -> Block {
+        let (EA, rate) = (point.weight * self.EA, stretch.rate());
         (Block::outer(1.0, rate, rate) + stretch.rate_rate() * expected) * EA
     }
 
-    /// The same of its bending energy in (p, s).
+    /// Second derivative in (p, s) of the bending energy of a Gauss point; the geometric part from the curvature `expected`.
     #[inline(always)]
-    fn bending_stiffness(&self, station: &Station, bend: &Bend<Vec2>, expected: f64) -> Blocks {
-        let (EI, rate) = (station.weight * self.EI, bend.rate());
+    fn bending_stiffness(&self, point: &GaussPoint, bend: &Bend<Vec2>, expected: f64) -> Blocks {
+        let (EI, rate) = (point.weight * self.EI, bend.rate());
         combined(EI, &outers(rate, rate), EI * expected, &bend.rate_rate())
     }
 
+    /// Curvature of the axis at a Gauss point.
     #[inline(always)]
-    fn bend<V: Vector>(&self, station: &Station, shape: &Quadratic<V>) -> Bend<V> {
-        let r_x = V::of(self.t) + at(station.zeta, shape);
-        let r_xx = slope_at(station.zeta, shape) * (2.0 * self.per_length);
+    fn bend<V: Vector>(&self, point: &GaussPoint, shape: &Quadratic<V>) -> Bend<V> {
+        let r_x = V::of(self.t) + at(point.zeta, shape);
+        let r_xx = slope_at(point.zeta, shape) * (2.0 * self.per_length);
         let square = r_x.dot(r_x);
         Bend { r_x, r_xx, cross: r_x.turn().dot(r_xx), square, inverse: V::Number::of(1.0) / square }
     }
 }
 
-/// The axial thermal strains of both ends of a step.
+/// Axial thermal strains at both ends of a step.
 fn along<V>(ends: &Ends<V>) -> [f64; 2] {
     [ends.thermal_0[0], ends.thermal_1[0]]
 }
@@ -185,7 +196,7 @@ fn along<V>(ends: &Ends<V>) -> [f64; 2] {
 impl Beam<8> for Cable {
     const VECTORS: &'static [NodalVector] = &[(Position, 0.0), (SlopeX, 0.0), (Position, 1.0), (SlopeX, 1.0)];
 
-    /// The strain itself; the section keeps its size.
+    /// The thermal strain itself; the section keeps its size.
     fn stress_free([along, _]: ThermalStrain) -> [f64; 2] {
         [along, 0.0]
     }
@@ -199,19 +210,36 @@ impl Beam<8> for Cable {
             .into()
     }
 
-    fn left(&self, before: &Vector8, u: &Vector8) -> f64 {
-        self.least_left(before, u)
+    /// The section stays plane and normal to the axis and rotates by θ_x = (r_x × r_xx)/|r_x|² per length. So a fibre at y is
+    /// stretched by |r_x| − y θ_x: det J of this theory. It is smallest at an outermost Gauss point across the
+    /// section, whose height is √(12 EI/EA).
+    ///
+    /// An axis that has been pressed through zero length points backwards and is long again: no determinant shows it. But then
+    /// r_x·r_x(before) < 0, unless the axis rotated by more than a right angle in a step, which no method follows either. So
+    /// this product counts too.
+    fn min_det_j(&self, before: &Vector8, u: &Vector8) -> f64 {
+        let (before, shape) = (self.shape_of(before), self.shape_of(u));
+        let half_height = (3.0 * self.EI / self.EA).sqrt();
+        let fibres = self.bending.iter().map(|point| {
+            let bend = self.bend(point, &shape);
+            bend.square.sqrt() - OUTERMOST * half_height * bend.kappa().abs()
+        });
+        let turned = self.axial.iter().map(|point| {
+            let r_x = |shape| self.t + at(point.zeta, shape);
+            r_x(&before).dot(r_x(&shape))
+        });
+        smallest(fibres.chain(turned))
     }
 
     fn energy(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> f64 {
         let u = self.shape_of(u);
-        let axial = self.axial.iter().map(|station| {
-            let epsilon = self.stretch(station, &u).strain - eps_T;
-            0.5 * station.weight * self.EA * epsilon * epsilon
+        let axial = self.axial.iter().map(|point| {
+            let epsilon = self.stretch(point, &u).strain - eps_T;
+            0.5 * point.weight * self.EA * epsilon * epsilon
         });
-        let bending = self.bending.iter().map(|station| {
-            let kappa = self.bend(station, &u).kappa();
-            0.5 * station.weight * self.EI * kappa * kappa
+        let bending = self.bending.iter().map(|point| {
+            let kappa = self.bend(point, &u).kappa();
+            0.5 * point.weight * self.EI * kappa * kappa
         });
         axial.sum::<f64>() + bending.sum::<f64>()
     }
@@ -227,13 +255,13 @@ impl Beam<8> for Cable {
     fn tangent(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> Matrix8 {
         let u = self.shape_of(u);
         let (mut axial, mut bending) = ([Block::ZERO; 5], [[[Block::ZERO; 5]; 2]; 2]);
-        for station in &self.axial {
-            let stretch = self.stretch(station, &u);
-            add_moments(station.zeta, self.axial_stiffness(station, &stretch, stretch.strain - eps_T), &mut axial);
+        for point in &self.axial {
+            let stretch = self.stretch(point, &u);
+            add_moments(point.zeta, self.axial_stiffness(point, &stretch, stretch.strain - eps_T), &mut axial);
         }
-        for station in &self.bending {
-            let bend = self.bend(station, &u);
-            add_stiffness(station, &self.bending_stiffness(station, &bend, bend.kappa()), &mut bending);
+        for point in &self.bending {
+            let bend = self.bend(point, &u);
+            add_stiffness(point, &self.bending_stiffness(point, &bend, bend.kappa()), &mut bending);
         }
         self.matrix(&axial, &bending)
     }
@@ -241,18 +269,18 @@ impl Beam<8> for Cable {
     fn mixed_tangent(&self, before: &Vector8, u: &Vector8, [eps_T, _]: ThermalStrain) -> Matrix8 {
         let (before, u) = (self.shape_of(before), self.shape_of(u));
         let (mut axial, mut bending) = ([Block::ZERO; 5], [[[Block::ZERO; 5]; 2]; 2]);
-        for station in &self.axial {
-            let (stretch_before, stretch) = (self.stretch(station, &before), self.stretch(station, &u));
+        for point in &self.axial {
+            let (stretch_before, stretch) = (self.stretch(point, &before), self.stretch(point, &u));
             let change = stretch_before.rate().dot(stretch.r_x - stretch_before.r_x);
             let expected = stretch_before.strain + change - eps_T;
-            add_moments(station.zeta, self.axial_stiffness(station, &stretch, expected), &mut axial);
+            add_moments(point.zeta, self.axial_stiffness(point, &stretch, expected), &mut axial);
         }
-        for station in &self.bending {
-            let (bend_before, bend) = (self.bend(station, &before), self.bend(station, &u));
+        for point in &self.bending {
+            let (bend_before, bend) = (self.bend(point, &before), self.bend(point, &u));
             let [by_p, by_s] = bend_before.rate();
             let change = by_p.dot(bend.r_x - bend_before.r_x) + by_s.dot(bend.r_xx - bend_before.r_xx);
             let expected = bend_before.kappa() + change;
-            add_stiffness(station, &self.bending_stiffness(station, &bend, expected), &mut bending);
+            add_stiffness(point, &self.bending_stiffness(point, &bend, expected), &mut bending);
         }
         self.matrix(&axial, &bending)
     }
@@ -270,19 +298,19 @@ impl Beam<8> for Cable {
         let Cable { EA, EI, .. } = *self;
         let u = self.shapes(ends);
         let (mut axial, mut bending) = ([Block::ZERO; 5], [[[Block::ZERO; 5]; 2]; 2]);
-        for station in &self.axial {
-            let step = self.stretches(station, &u, along(ends));
-            let w = station.weight;
+        for point in &self.axial {
+            let step = self.stretches(point, &u, along(ends));
+            let w = point.weight;
             let product = Block::outer(0.5, step.rate(), step.end.rate());
             let H = product * (w * EA) + step.rate_rate() * (w * step.mean_force(EA));
-            add_moments(station.zeta, H, &mut axial);
+            add_moments(point.zeta, H, &mut axial);
         }
-        for station in &self.bending {
-            let step = self.bends(station, &u);
-            let w = station.weight;
+        for point in &self.bending {
+            let step = self.bends(point, &u);
+            let w = point.weight;
             let product = outers(step.rate(), step.end.rate());
             let H = combined(0.5 * w * EI, &product, w * step.mean_moment(EI), &step.rate_rate());
-            add_stiffness(station, &H, &mut bending);
+            add_stiffness(point, &H, &mut bending);
         }
         self.matrix(&axial, &bending)
     }
@@ -291,30 +319,32 @@ impl Beam<8> for Cable {
         let u = self.shapes(ends);
         let change = ends.thermal_1[0] - ends.thermal_0[0];
         let work =
-            |station: &Station| -station.weight * self.stretches(station, &u, along(ends)).mean_force(self.EA) * change;
+            |point: &GaussPoint| -point.weight * self.stretches(point, &u, along(ends)).mean_force(self.EA) * change;
         self.axial.iter().map(work).sum()
     }
 }
 
 impl Cable {
-    /// The shapes of both ends of a step.
+    /// Polynomials p at both ends of a step.
     #[inline(always)]
     fn shapes(&self, ends: &Ends<Vector8>) -> [Quadratic<Vec2>; 2] {
         [ends.u_0, ends.u_1].map(|u| self.shape_of(u))
     }
 
+    /// Stretches of the axis at a Gauss point, at both ends of a step.
     #[inline(always)]
     fn stretches<V: Vector>(
         &self,
-        station: &Station,
+        point: &GaussPoint,
         [u_0, u_1]: &[Quadratic<V>; 2],
         eps_T: [f64; 2],
     ) -> StretchStep<V> {
-        StretchStep { start: self.stretch(station, u_0), end: self.stretch(station, u_1), eps_T }
+        StretchStep { start: self.stretch(point, u_0), end: self.stretch(point, u_1), eps_T }
     }
 
+    /// Curvatures of the axis at a Gauss point, at both ends of a step.
     #[inline(always)]
-    fn bends<V: Vector>(&self, station: &Station, [u_0, u_1]: &[Quadratic<V>; 2]) -> BendStep<V> {
-        BendStep { start: self.bend(station, u_0), end: self.bend(station, u_1) }
+    fn bends<V: Vector>(&self, point: &GaussPoint, [u_0, u_1]: &[Quadratic<V>; 2]) -> BendStep<V> {
+        BendStep { start: self.bend(point, u_0), end: self.bend(point, u_1) }
     }
 }

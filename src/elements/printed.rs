@@ -1,8 +1,10 @@
-//! The paper's element with the shear term as printed (E3), to see what that does to a rod. Nothing is arranged for speed: every
-//! force and tangent comes from [`equations`](crate::equations), in global axes, in which alone the printed energy is defined.
+//! The paper's element with the shear term as printed (E3), to show what it does to a rod.
 //!
-//! The rest needs no other formula. K is linear in the strains and quadratic in e, U quadratic in ε_T, and of a quadratic function
-//! half the difference of its values at ±x is exactly its derivative along x.
+//! Nothing is arranged for speed. Every force and tangent comes from [`equations`](crate::equations), in global axes, as the
+//! printed energy is defined in these alone.
+//!
+//! No other formula is needed. K is linear in the strains and quadratic in e, and U is quadratic in ε_T. Half the difference of a
+//! quadratic function's values at ±x is exactly its derivative along x.
 
 #![allow(non_snake_case)] // K, Q, eps_T, as in the paper.
 
@@ -10,52 +12,51 @@ use std::f64::consts::FRAC_PI_2;
 
 use nalgebra::{Vector2, Vector3};
 
-use super::{Ancf, Beam, Ends, LANES, Law, NodalVector, ThermalStrain};
-use crate::equations::force::{self, Element, Matrix14};
-use crate::equations::shape::{self, Vector14};
-use crate::equations::strain;
+use super::ancf::{Ancf, Law};
+use super::beam::{Beam, Ends, ThermalStrain};
+use super::lanes::LANES;
+use super::nodal_vector::NodalVector;
+use crate::equations::element::{Element, Matrix14};
+use crate::equations::material::LameConstants;
+use crate::equations::shape::Vector14;
+use crate::equations::{force, strain};
 use crate::model::Poisson;
 
-/// One straight element with the energy [`force::U_printed`].
+/// The paper's element, straight, with the printed energy [`force::U_printed`].
 #[derive(Clone, Debug)]
 pub struct PrintedShear {
     element: Element,
     theta: f64,
-    lambda: f64,
-    mu: f64,
-    /// The same body: its volume tells when it collapses.
+    lame: LameConstants,
+    /// The element in its consistent form, for the collapse check.
     body: Ancf,
 }
 
 impl PrintedShear {
-    /// An element of length `l`, section `h` × `w` (m), inclination `theta` (rad) and Lamé's constants `lambda`, `mu` (Pa).
-    pub fn new(l: f64, h: f64, w: f64, theta: f64, lambda: f64, mu: f64) -> PrintedShear {
-        let (sin, cos) = theta.sin_cos();
-        let (t, n, r_i) = (Vector2::new(cos, sin), Vector2::new(-sin, cos), Vector2::zeros());
-        let (r_j, r_k) = (0.5 * l * t, l * t);
-        let e_0 = shape::e(&shape::Nodes { r_i, r_y_i: n, r_j, r_x_j: t, r_y_j: n, r_k, r_y_k: n });
-        let body = Ancf::new(l, h, w, theta, Law { lambda, mu, poisson: Poisson::Full });
-        PrintedShear { element: Element { l, h, w, e_0 }, theta, lambda, mu, body }
+    /// Element of length `l`, section `h` × `w` (m), inclination `theta` (rad) and Lamé's constants `lame`.
+    pub fn new(l: f64, h: f64, w: f64, theta: f64, lame: LameConstants) -> PrintedShear {
+        let body = Ancf::new(l, h, w, theta, Law { lame, poisson: Poisson::Full });
+        PrintedShear { element: Element::straight(l, h, w, theta), theta, lame, body }
     }
 
-    /// ε_T in global axes: each part is that of the 1D model, in its own direction.
+    /// Thermal strain in global axes: each part is that of the 1D model in its own direction.
     fn eps_T(&self, [along, across]: ThermalStrain) -> Vector3<f64> {
         strain::eps_T_1d(1.0, along, self.theta) + strain::eps_T_1d(1.0, across, self.theta + FRAC_PI_2)
     }
 
     fn U(&self, u: &Vector14, eps_T: &Vector3<f64>) -> f64 {
-        force::U_printed(&(self.element.e_0 + u), eps_T, self.lambda, self.mu, &self.element)
+        force::U_printed(&(self.element.e_0 + u), eps_T, self.lame, &self.element)
     }
 
-    /// K of nodal coordinates `e`.
+    /// Stiffness matrix K of (20) as printed, at the nodal coordinates `e`.
     fn K(&self, e: &Vector14, eps_T: &Vector3<f64>) -> Matrix14 {
         let K_1 = force::K_1(e, eps_T, &self.element);
         let K_2 = force::K_2(e, eps_T, &self.element);
         let K_3 = force::K_3(e, eps_T, &self.element);
-        force::K_printed(self.lambda, self.mu, &K_1, &K_2, &K_3)
+        force::K_printed(self.lame, &K_1, &K_2, &K_3)
     }
 
-    /// K of the strains averaged over both ends of a step, and e in its middle.
+    /// K averaged over both ends of a step, and e in the middle of it.
     fn middle(&self, ends: &Ends<Vector14>) -> (Matrix14, Vector14) {
         let K_0 = self.K(&(self.element.e_0 + ends.u_0), &self.eps_T(ends.thermal_0));
         let K_1 = self.K(&(self.element.e_0 + ends.u_1), &self.eps_T(ends.thermal_1));
@@ -66,8 +67,8 @@ impl PrintedShear {
 impl Beam<14> for PrintedShear {
     const VECTORS: &'static [NodalVector] = Ancf::VECTORS;
 
-    /// 1 is subtracted from squares of stretches.
-    const ROUNDED: f64 = 1.0;
+    /// 1 is subtracted from squared stretches.
+    const ROUNDING_SCALE: f64 = 1.0;
 
     fn stress_free(eps_T: ThermalStrain) -> [f64; 2] {
         Ancf::stress_free(eps_T)
@@ -77,8 +78,8 @@ impl Beam<14> for PrintedShear {
         Ancf::axis(fraction, u, l)
     }
 
-    fn left(&self, before: &Vector14, u: &Vector14) -> f64 {
-        self.body.left(before, u)
+    fn min_det_j(&self, before: &Vector14, u: &Vector14) -> f64 {
+        self.body.min_det_j(before, u)
     }
 
     fn energy(&self, u: &Vector14, eps_T: ThermalStrain) -> f64 {
@@ -96,10 +97,10 @@ impl Beam<14> for PrintedShear {
 
     fn tangent(&self, u: &Vector14, eps_T: ThermalStrain) -> Matrix14 {
         let e = self.element.e_0 + u;
-        force::tangent_printed(&e, &self.eps_T(eps_T), self.lambda, self.mu, &self.element)
+        force::tangent_printed(&e, &self.eps_T(eps_T), self.lame, &self.element)
     }
 
-    /// A linear change of strain leaves out what is quadratic in the step.
+    /// [`tangent`](Beam::tangent) minus the part of K that is quadratic in the step, as the change of strain is linear.
     fn mixed_tangent(&self, before: &Vector14, u: &Vector14, eps_T: ThermalStrain) -> Matrix14 {
         let none = Vector3::zeros();
         let quadratic = self.K(&(u - before), &none) - self.K(&Vector14::zeros(), &none);

@@ -1,34 +1,45 @@
 //! **The paper's competitor**: a planar Euler–Bernoulli ANCF element with axial heat. A comparison model, no part of
 //! (1)–(23).
 //!
-//! The paper compares itself with "the 1D thermo-structural model \[30\]" of Li and Wang (2009), of which it says that it
-//! "is based on a simple Euler–Bernoulli beam element and only the axial thermal effect is pondered". It prints none of
-//! that model's equations, so this is the standard element of that description: the gradient-deficient one, with
+//! The paper compares its element with "the 1D thermo-structural model \[30\]" of Li and Wang (2009). That model, it says,
+//! "is based on a simple Euler–Bernoulli beam element and only the axial thermal effect is pondered". None of the model's
+//! equations are printed, so this is the standard element of that description, the gradient-deficient one:
 //!
-//! * the interpolation of Berzeri and Shabana (2000): a cubic axis, r and r_x at two nodes,
+//! * interpolation of Berzeri and Shabana (2000): a cubic axis with r and r_x at two nodes,
 //!   e = \[rⁱ r_xⁱ rᵏ r_xᵏ\], i at x = 0, k at x = l;
-//! * the strains of Gerstmayr and Irschik (2008): axial strain |r_x| − 1 and the *material* measure of curvature
-//!   κ = (r_x × r_xx)/|r_x|², the turn of the section per initial length. (The *geometric* curvature divides by |r_x|³ and
-//!   couples stretch and bending wrongly.)
-//! * thermal strain αΔT taken off the axial strain, whose stress-free stretch is 1 + αΔT; not √(1 + 2αΔT) as in the
-//!   paper's measure (M2);
-//! * Gauss's rule with five points for the axial strain and three for the curvature. It is a part of the definition: the
-//!   integrands are no polynomials.
+//! * strains of Gerstmayr and Irschik (2008): axial strain |r_x| − 1 and the *material* measure of curvature
+//!   κ = (r_x × r_xx)/|r_x|², the rotation of the section per initial length. (The *geometric* curvature divides by |r_x|³
+//!   and couples stretch and bending wrongly.)
+//! * thermal strain αΔT subtracted from the axial strain, so that the stress-free stretch is 1 + αΔT; in the paper's measure
+//!   it is √(1 + 2αΔT) (M2);
+//! * Gauss rules with five points for the axial strain and three for the curvature. The rules are part of the definition,
+//!   as the integrands are not polynomials.
 //!
-//! The section neither shears nor changes its size: stiffnesses EA and EI with Young's modulus itself, as for a rod that
-//! is free to contract across, and no rotary inertia.
+//! The section neither shears nor changes its size. The stiffnesses EA and EI contain Young's modulus itself, as for a rod that
+//! is free to contract across. There is no rotary inertia.
+//!
+//! ```
+//! # #![allow(non_snake_case)]
+//! use ancf::equations::cable;
+//!
+//! // A straight element along x, 2 m long, at its initial length and heated: the axial force is −EA αΔT.
+//! let (l, EA, EI, eps_T) = (2.0, 1e6, 800.0, 1e-3);
+//! let e = cable::Vector8::from([0.0, 0.0, 1.0, 0.0, l, 0.0, 1.0, 0.0]);
+//! let Q_e = cable::Q_e(&e, eps_T, EA, EI, l);
+//! assert!((Q_e[4] + EA * eps_T).abs() < 1e-9); // on rᵏ, along x
+//! ```
 
 use super::volume::{GAUSS_3, GAUSS_5, axis_points};
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2};
 
-/// The nodal coordinates e = \[rⁱ r_xⁱ rᵏ r_xᵏ\].
+/// A column of 8 entries, such as the nodal coordinates e = \[rⁱ r_xⁱ rᵏ r_xᵏ\].
 pub type Vector8 = SVector<f64, 8>;
 /// An 8 × 8 matrix, such as M.
 pub type Matrix8 = SMatrix<f64, 8, 8>;
-/// The shape of S and its derivatives.
+/// A 2 × 8 matrix, such as the shape matrix S and its derivatives.
 pub type Matrix2x8 = SMatrix<f64, 2, 8>;
 
-/// Hermite's polynomials with a = x/l; those of slopes (2 and 4) in m.
+/// Shape functions S₁…S₄ of the cable: Hermite's cubics with a = x/l; those of slopes (2 and 4) in m.
 pub fn S_i(x: f64, l: f64) -> [f64; 4] {
     let a = x / l;
     [
@@ -39,7 +50,7 @@ pub fn S_i(x: f64, l: f64) -> [f64; 4] {
     ]
 }
 
-/// Their derivatives, 1/m: da/dx = 1/l.
+/// Derivatives of the cable's shape functions with respect to x, by da/dx = 1/l; 1/m for positions.
 pub fn S_i_x(x: f64, l: f64) -> [f64; 4] {
     let a = x / l;
     [
@@ -50,48 +61,50 @@ pub fn S_i_x(x: f64, l: f64) -> [f64; 4] {
     ]
 }
 
-/// Their second derivatives, 1/m².
+/// Second derivatives of the cable's shape functions with respect to x; 1/m² for positions, 1/m for slopes.
 pub fn S_i_xx(x: f64, l: f64) -> [f64; 4] {
     let a = x / l;
     [(-6.0 + 12.0 * a) / l.powi(2), (-4.0 + 6.0 * a) / l, (6.0 - 12.0 * a) / l.powi(2), (-2.0 + 6.0 * a) / l]
 }
 
-/// The matrix S with r = S e, or S_x, S_xx, of its functions: S = \[S₁I S₂I S₃I S₄I\].
+/// Matrix S = \[S₁I S₂I S₃I S₄I\] with r = S e, or S_x, S_xx, of their functions.
 fn row_of_identities(s: [f64; 4]) -> Matrix2x8 {
     Matrix2x8::from_fn(|row, column| if column % 2 == row { s[column / 2] } else { 0.0 })
 }
 
-/// Position of the axis, m: r = S e.
+/// Position of the cable's axis, m: r = S e.
 pub fn r(x: f64, e: &Vector8, l: f64) -> Vector2<f64> {
     row_of_identities(S_i(x, l)) * e
 }
 
-/// Slope of the axis: r_x = S_x e.
+/// Slope of the cable's axis: r_x = S_x e.
 pub fn r_x(x: f64, e: &Vector8, l: f64) -> Vector2<f64> {
     row_of_identities(S_i_x(x, l)) * e
 }
 
-/// Its rate along the axis, 1/m: r_xx = S_xx e.
+/// Second derivative of the cable's axis, 1/m: r_xx = S_xx e.
 pub fn r_xx(x: f64, e: &Vector8, l: f64) -> Vector2<f64> {
     row_of_identities(S_i_xx(x, l)) * e
 }
 
-/// Axial strain that makes a force: ε = |r_x| − 1 − ε_T, with the thermal strain ε_T = αΔT.
+/// Elastic axial strain: ε = |r_x| − 1 − ε_T, with the thermal strain ε_T = αΔT.
 pub fn epsilon(r_x: &Vector2<f64>, eps_T: f64) -> f64 {
     r_x.norm() - 1.0 - eps_T
 }
 
-/// Material measure of curvature, 1/m: κ = (r_x × r_xx)/|r_x|².
+/// Material measure of curvature, 1/m: κ = (r_x × r_xx)/|r_x|². Not finite where r_x = 0.
 pub fn kappa(r_x: &Vector2<f64>, r_xx: &Vector2<f64>) -> f64 {
     r_x.perp(r_xx) / r_x.norm_squared()
 }
 
-/// Kinetic energy, J: T = ½ ėᵀ M ė.
+/// Kinetic energy of the cable, J: T = ½ ėᵀ M ė.
 pub fn T(M: &Matrix8, e_dot: &Vector8) -> f64 {
     0.5 * e_dot.dot(&(M * e_dot))
 }
 
-/// Mass matrix: M = ∫ ρA SᵀS dx; kg, kg m and kg m² for positions and slopes. Five points integrate its degree 6 exactly.
+/// Mass matrix of the cable: M = ∫ ρA SᵀS dx, 8 × 8; kg between positions, kg m and kg m² with slopes.
+///
+/// `rho_A` is the mass per length, kg/m. Five points integrate its degree 6 exactly.
 pub fn M(rho_A: f64, l: f64) -> Matrix8 {
     let mut M = Matrix8::zeros();
     for (x, dx) in axis_points(&GAUSS_5, l) {
@@ -101,7 +114,9 @@ pub fn M(rho_A: f64, l: f64) -> Matrix8 {
     M
 }
 
-/// Strain energy, J: U = ½ ∫ EA ε² dx + ½ ∫ EI κ² dx, by five points and by three.
+/// Strain energy of the cable, J: U = ½ ∫ EA ε² dx + ½ ∫ EI κ² dx, by five points and by three.
+///
+/// `EA` in N, `EI` in N m².
 pub fn U(e: &Vector8, eps_T: f64, EA: f64, EI: f64, l: f64) -> f64 {
     let mut U = 0.0;
     for (x, dx) in axis_points(&GAUSS_5, l) {
@@ -113,14 +128,14 @@ pub fn U(e: &Vector8, eps_T: f64, EA: f64, EI: f64, l: f64) -> f64 {
     U
 }
 
-/// ∂ε/∂e = S_xᵀ n, with n = r_x/|r_x|.
+/// Gradient of the axial strain: ∂ε/∂e = S_xᵀ n, with n = r_x/|r_x|.
 fn epsilon_e(x: f64, e: &Vector8, l: f64) -> Vector8 {
     row_of_identities(S_i_x(x, l)).tr_mul(&r_x(x, e, l).normalize())
 }
 
-/// ∂κ/∂e = \[S_xᵀ (−J r_xx) + S_xxᵀ J r_x\]/|r_x|² − 2κ S_xᵀ r_x/|r_x|².
+/// Gradient of the curvature: ∂κ/∂e = \[S_xᵀ (−J r_xx) + S_xxᵀ J r_x\]/|r_x|² − 2κ S_xᵀ r_x/|r_x|².
 ///
-/// J turns by a right angle: a × b = (J a)·b = −a·(J b).
+/// J rotates by a right angle: a × b = (J a)·b = −a·(J b).
 fn kappa_e(x: f64, e: &Vector8, l: f64) -> Vector8 {
     let (S_x, S_xx) = (row_of_identities(S_i_x(x, l)), row_of_identities(S_i_xx(x, l)));
     let (r_x, r_xx) = (S_x * e, S_xx * e);
@@ -128,12 +143,12 @@ fn kappa_e(x: f64, e: &Vector8, l: f64) -> Vector8 {
     (cross_e - 2.0 * kappa(&r_x, &r_xx) * S_x.tr_mul(&r_x)) / r_x.norm_squared()
 }
 
-/// A turn by a right angle.
+/// Rotation by a right angle, counterclockwise.
 fn J() -> Matrix2<f64> {
     Matrix2::new(0.0, -1.0, 1.0, 0.0)
 }
 
-/// Elastic forces: Q_e = ∂U/∂e = ∫ EA ε ∂ε/∂e dx + ∫ EI κ ∂κ/∂e dx; N on positions, N m on slopes.
+/// Elastic forces of the cable: Q_e = ∂U/∂e = ∫ EA ε ∂ε/∂e dx + ∫ EI κ ∂κ/∂e dx; N on positions, N m on slopes.
 pub fn Q_e(e: &Vector8, eps_T: f64, EA: f64, EI: f64, l: f64) -> Vector8 {
     let mut Q_e = Vector8::zeros();
     for (x, dx) in axis_points(&GAUSS_5, l) {
@@ -145,11 +160,13 @@ pub fn Q_e(e: &Vector8, eps_T: f64, EA: f64, EI: f64, l: f64) -> Vector8 {
     Q_e
 }
 
-/// Tangent ∂Q_e/∂e, symmetric: ∫ EA \[∂ε/∂e ∂ε/∂eᵀ + ε ∂²ε/∂e²\] dx, and so with EI and κ. With n = r_x/|r_x|
+/// Tangent ∂Q_e/∂e of the cable, symmetric: ∫ EA \[∂ε/∂e ∂ε/∂eᵀ + ε ∂²ε/∂e²\] dx, and likewise with EI and κ.
+///
+/// With n = r_x/|r_x|
 ///
 /// ∂²ε/∂e² = S_xᵀ (I − n nᵀ) S_x / |r_x|,
 ///
-/// and from κ |r_x|² = r_x × r_xx, differentiated twice,
+/// and, from κ |r_x|² = r_x × r_xx differentiated twice,
 ///
 /// |r_x|² ∂²κ/∂e² = S_xxᵀ J S_x + (S_xxᵀ J S_x)ᵀ − 2κ S_xᵀS_x − 2 \[S_xᵀr_x ∂κ/∂eᵀ + ∂κ/∂e (S_xᵀr_x)ᵀ\].
 pub fn tangent(e: &Vector8, eps_T: f64, EA: f64, EI: f64, l: f64) -> Matrix8 {
@@ -176,7 +193,7 @@ pub fn tangent(e: &Vector8, eps_T: f64, EA: f64, EI: f64, l: f64) -> Matrix8 {
     K
 }
 
-/// The generalized force of gravity: Q_w = ∫ ρA Sᵀg dx, for g in m/s²; N on positions, N m on slopes.
+/// Generalized force of gravity on the cable: Q_w = ∫ ρA Sᵀg dx, for g in m/s²; N on positions, N m on slopes.
 pub fn Q_w_gravity(g: &Vector2<f64>, rho_A: f64, l: f64) -> Vector8 {
     let mut Q_w = Vector8::zeros();
     for (x, dx) in axis_points(&GAUSS_5, l) {

@@ -1,21 +1,34 @@
 //! **The paper.** Equations (1)–(23) and (A.1)–(A.5) of Peng et al. (2018), one function each, in the paper's order
-//! and symbols: [`shape`] (1)–(5), [`inertia`] (6)–(7), [`strain`] (8)–(14), [`material`] (15)–(17), [`force`]
-//! (18)–(21), [`motion`] (22)–(23). Beyond them: [`axis`], a cure of locking, and [`cable`], the paper's competitor.
+//! and symbols.
 //!
-//! `oracle/DERIVATION.md` derives them step by step, with every formula asserted; each module names its sections there, and the
-//! choices M1–M8 are in `#7-choices-to-know`.
+//! | equations | module |
+//! |---|---|
+//! | (1)–(5), (A.1)–(A.5) | [`shape`]: position, velocity |
+//! | (6)–(7) | [`inertia`]: kinetic energy, mass matrix |
+//! | (8)–(14) | [`strain`]: thermal, Green–Lagrange, elastic |
+//! | (15)–(17) | [`material`]: stress, moduli |
+//! | (18)–(21) | [`force`]: energy, elastic forces, stiffness, tangent |
+//! | (22)–(23) | [`motion`]: one element, a structure |
+//! | beyond the paper | [`axis`]: a cure for locking; [`cable`]: the paper's competitor |
 //!
-//! Pure functions of numbers and arrays in SI units, global axes, for reading and checking;
-//! [`kernel`](crate::elements) is the same element arranged for speed.
+//! [`element`] has the element that is integrated over, [`volume`] the quadrature. [`CONTENTS`] lists every function by its
+//! number.
 //!
-//! **Two forms.** Where the paper is wrong, the printed form (`…_printed`) stands beside the consistent one:
-//! E1 [`shape::coefficients_printed`], E2 [`force::K_3_printed`], E3 [`force::U_printed`] and [`force::K_printed`], E4 [`motion::constraint_force_printed`].
-//! Everything else in this crate uses the consistent forms.
+//! Functions are pure: numbers and arrays in SI units, global axes, written for reading and checking.
+//! `elements` holds the same formulas arranged for speed.
+//!
+//! `oracle/DERIVATION.md` derives the equations step by step and asserts every formula. Each module names its sections there.
+//! The choices M1–M8 are in `#7-choices-to-know`.
+//!
+//! **Two forms.** Where the paper is wrong, the printed form (`…_printed`) follows the consistent one:
+//! E1 [`shape::coefficients_printed`], E2 [`force::K_3_printed`], E3 [`force::U_printed`] and [`force::K_printed`],
+//! E4 [`motion::constraint_force_printed`]. Everything else in this crate uses the consistent forms.
 
 #![allow(non_snake_case)] // The paper's symbols are names here: S, M, K_1, S_a, eps_T.
 
 pub mod axis;
 pub mod cable;
+pub mod element;
 pub mod force;
 pub mod inertia;
 pub mod material;
@@ -24,44 +37,44 @@ pub mod shape;
 pub mod strain;
 pub mod volume;
 
-/// How a function stands to the equation as printed.
+/// Relation of a function to the equation as printed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
-    /// The paper is right and this is its equation.
+    /// The printed equation, which is right.
     AsPrinted,
-    /// The paper is wrong; this is the equation that follows from its premises.
+    /// The equation that follows from the paper's premises, where the printed one is wrong.
     Consistent,
-    /// The paper is wrong; this is what it prints.
+    /// The printed equation, where it is wrong.
     Printed,
-    /// The paper leaves it out.
+    /// A formula that the paper leaves out.
     Beyond,
 }
 
-/// One function of this module and the equation it states.
+/// Entry of [`CONTENTS`]: a function, its equation and its reference value.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// The equation's number in the paper, empty where it has none.
+    /// Number of the equation in the paper; empty where it has none.
     pub equation: &'static str,
-    /// Path of the function below `equations`.
+    /// Path of the function below `equations`, such as `force::U`.
     pub function: &'static str,
-    /// The name of its value in [`state::evaluate`](crate::state::evaluate), in
+    /// Name of the value in [`state::evaluate`](crate::state::evaluate), in
     /// [`state::evaluate_system`](crate::state::evaluate_system) for (23), or in
     /// [`state::evaluate_cable`](crate::state::evaluate_cable) for the cable element.
     pub quantity: &'static str,
-    /// The name of the value in `fixtures/equations.json` that it must equal, in `fixtures/structure.json` for (23), in
+    /// Name of the value that it must equal: in `fixtures/equations.json`, in `fixtures/structure.json` for (23), or in
     /// `fixtures/cable.json` for the cable element.
     pub reference: &'static str,
-    /// Printed or consistent.
+    /// Relation to the printed equation.
     pub form: Form,
 }
 
 impl Entry {
-    /// Whether its value is one of a structure, (23), and not of an element state.
+    /// Whether the value belongs to a structure, (23), rather than to an element state.
     pub fn is_of_a_structure(&self) -> bool {
         self.equation == "23"
     }
 
-    /// Whether its value is one of a cable element's state.
+    /// Whether the value belongs to a cable element's state.
     pub fn is_of_a_cable(&self) -> bool {
         self.quantity.starts_with("cable.")
     }
@@ -71,7 +84,7 @@ const fn entry(equation: &'static str, function: &'static str, quantity: &'stati
     Entry { equation, function, quantity, reference: quantity, form }
 }
 
-/// A second way to the value `reference`.
+/// An entry that reaches the value `reference` by a second way.
 const fn also(
     equation: &'static str,
     function: &'static str,
@@ -81,7 +94,15 @@ const fn also(
     Entry { equation, function, quantity, reference, form: Form::AsPrinted }
 }
 
-/// Number → function, in the paper's order. A test holds it against the source, the fixtures and the tests.
+/// Table of contents: equation number → function, in the paper's order. A test compares it with the source, the fixtures and
+/// the tests.
+///
+/// ```
+/// use ancf::equations::{CONTENTS, Form};
+///
+/// let entry = CONTENTS.iter().find(|entry| entry.equation == "20" && entry.form == Form::Consistent).unwrap();
+/// assert_eq!(entry.function, "force::K");
+/// ```
 pub const CONTENTS: &[Entry] = &[
     entry("1", "shape::r", "1.r", Form::AsPrinted),
     entry("2", "shape::S", "2.S", Form::AsPrinted),

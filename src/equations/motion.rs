@@ -1,23 +1,37 @@
-//! Equation (22), the motion of one element, and (23), that of elements held together by constraints.
+//! Equations (22), the motion of one element, and (23), the motion of elements held together by constraints.
 //!
-//! (22) has arrays of fixed size, (23) vectors of the structure's n coordinates q and its c constraints Φ(q) = 0.
+//! (22) works on arrays of fixed size, (23) on a structure's n coordinates q and its c constraints Φ(q) = 0.
 //!
 //! Derived step by step: `oracle/DERIVATION.md#6-motion`, there (22) `#22-one-element`, (23) and E4
 //! `#23-elements-held-together`.
 
-use super::force::Matrix14;
+use super::element::Matrix14;
 use super::shape::Vector14;
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
-/// (22) What is left of M ë + Q_e(ΔT) = Q_w: the residual M ë + Q_e − Q_w, zero on a motion; N and N m.
+/// (22) Residual of the motion of one element: M ë + Q_e(ΔT) − Q_w, zero on a motion; N on positions, N m on slopes.
 pub fn residual(M: &Matrix14, e_ddot: &Vector14, Q_e: &Vector14, Q_w: &Vector14) -> Vector14 {
     M * e_ddot + Q_e - Q_w
 }
 
-/// (22) solved for the acceleration: ë = M⁻¹ (Q_w − Q_e); m/s² for positions, 1/s² for slopes.
+/// (22) Acceleration of one element: ë = M⁻¹ (Q_w − Q_e); m/s² for positions, 1/s² for slopes.
 ///
-/// By Cholesky's factors, whose accuracy does not suffer from the different units of positions and slopes. `None`
+/// By Cholesky factors, whose accuracy does not suffer from the different units of positions and slopes. `None`
 /// where M is not positive definite. N is 14, or 8 for the [`cable`](super::cable) element.
+///
+/// ```
+/// # #![allow(non_snake_case)]
+/// use ancf::equations::element::Element;
+/// use ancf::equations::{inertia, motion, shape};
+/// use ancf::nalgebra::Vector2;
+///
+/// // A free element falls without strain: every point is accelerated by g.
+/// let (element, rho) = (Element::straight(2.0, 0.1, 0.05, 0.3), 7200.0);
+/// let g = Vector2::new(0.0, -9.81);
+/// let Q_w = inertia::Q_w_gravity(&g, rho, &element);
+/// let e_ddot = motion::acceleration(&inertia::M(rho, &element), &shape::Vector14::zeros(), &Q_w).unwrap();
+/// assert!((shape::r(0.7, 0.02, &e_ddot, element.l) - g).amax() < 1e-10);
+/// ```
 pub fn acceleration<const N: usize>(
     M: &SMatrix<f64, N, N>,
     Q_e: &SVector<f64, N>,
@@ -26,10 +40,10 @@ pub fn acceleration<const N: usize>(
     Some(M.cholesky()?.solve(&(Q_w - Q_e)))
 }
 
-/// (23) The constraints' generalized force Φ_qᵀ λ, n numbers, N and N m; it stands on the left, beside k q.
+/// (23) Generalized force of the constraints, **consistent**: Φ_qᵀ λ, n entries; N on positions, N m on slopes.
 ///
-/// Its work δqᵀ Φ_qᵀ λ = λᵀ (Φ_q δq) is zero for every δq that the constraints allow, Φ_q δq = 0, as that of an ideal pin is.
-/// Φ_q is ∂Φ/∂q, c × n.
+/// It stands on the left of (23), beside k q. Φ_q is ∂Φ/∂q, c × n. The force does no work where the constraints are kept, like
+/// that of an ideal pin: δqᵀ Φ_qᵀ λ = λᵀ (Φ_q δq) = 0 for every δq with Φ_q δq = 0.
 ///
 /// # Panics
 /// Unless λ has c numbers.
@@ -37,10 +51,10 @@ pub fn constraint_force(Phi_q: &DMatrix<f64>, lambda: &DVector<f64>) -> DVector<
     Phi_q.transpose() * lambda
 }
 
-/// (23) **as printed** (E4): Φ_q λ, without the transpose.
+/// (23) Generalized force of the constraints **as printed** (E4): Φ_q λ, without the transpose.
 ///
-/// c × n times c: `None` unless there are as many constraints as coordinates; and then it does work on motions that the
-/// constraints allow.
+/// A c × n matrix times c multipliers: `None` unless c = n. Where it exists, it does work on motions that the constraints
+/// allow.
 ///
 /// # Panics
 /// Unless λ has c numbers.
@@ -48,10 +62,13 @@ pub fn constraint_force_printed(Phi_q: &DMatrix<f64>, lambda: &DVector<f64>) -> 
     Phi_q.is_square().then(|| Phi_q * lambda)
 }
 
-/// (23) What is left of m q̈ + k(ΔT) q + Φ_qᵀ λ = f, zero on a motion; n numbers, N and N m.
+/// (23) Residual of the motion of a structure: m q̈ + k(ΔT) q + Φ_qᵀ λ − f, n entries, zero on a motion; N and N m.
 ///
-/// `kq` is k(ΔT) q, the elements' Q_e of (19) added up; `Phi_q_lambda` the constraints' force, [`constraint_force`], or what is
-/// printed for it.
+/// `kq` is k(ΔT) q, the assembled Q_e of (19). `Phi_q_lambda` is the force of the constraints: [`constraint_force`], or
+/// [`constraint_force_printed`] for the printed form.
+///
+/// # Panics
+/// Unless the shapes agree.
 pub fn system_residual(
     m: &DMatrix<f64>,
     q_ddot: &DVector<f64>,
@@ -62,15 +79,18 @@ pub fn system_residual(
     m * q_ddot + kq + Phi_q_lambda - f
 }
 
-/// (23) solved for the accelerations q̈ and the multipliers λ that it begins with:
+/// (23) Accelerations q̈ (m/s², 1/s²) and multipliers λ (N for pins) of a structure, from
 ///
 /// ```text
 /// ⎡ m    Φ_qᵀ ⎤ ⎡ q̈ ⎤   ⎡ f − k q ⎤
 /// ⎣ Φ_q   0   ⎦ ⎣ λ ⎦ = ⎣    0    ⎦
 /// ```
 ///
-/// The second row is Φ̈ = 0 for constraints that are linear in q and do not change in time, as pins and supports are.
-/// `None` where the matrix is singular: m has no inverse, or a constraint is there twice.
+/// The second row is Φ̈ = 0 for constraints that are linear in q and constant in time, as pins and supports are.
+/// `None` where the matrix is singular: m has no inverse, or a constraint occurs twice.
+///
+/// # Panics
+/// Unless the shapes agree.
 pub fn system_acceleration(
     m: &DMatrix<f64>,
     kq: &DVector<f64>,

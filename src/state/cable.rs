@@ -1,50 +1,31 @@
-//! One cable element in one state, as `fixtures/cable.json` has it, and the value of every function of [`cable`] for it.
+//! The cable element in one state: the value of every function of [`cable`].
 
-use super::{ThermalModel, rows};
+#![allow(non_snake_case)] // The symbols of the equations are names here.
+
+use nalgebra::Vector2;
+
+use super::beam::CableState;
+use super::entries::rows;
 use crate::equations::cable::{self, Vector8};
 use crate::equations::motion;
-use nalgebra::Vector2;
-use serde::{Deserialize, Serialize};
+use crate::model::ThermalModel;
 
-/// A state of the cable element. As [`ElementState`](super::ElementState), with its eight nodal coordinates; SI units.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct CableState {
-    /// Length, m.
-    pub l: f64,
-    /// Height of the section (in the plane), m.
-    pub h: f64,
-    /// Width of the section (across the plane), m.
-    pub w: f64,
-    /// Initial inclination, rad. What this element computes does not depend on it.
-    pub theta: f64,
-    /// Nodal coordinates rⁱ, r_xⁱ, rᵏ, r_xᵏ of the initial configuration; not used either.
-    pub e0: [f64; 8],
-    /// Nodal coordinates.
-    pub e: [f64; 8],
-    /// Their rates.
-    pub edot: [f64; 8],
-    /// Young's modulus, Pa.
-    pub E: f64,
-    /// Poisson's ratio; not used.
-    pub nu: f64,
-    /// Density, kg/m³.
-    pub rho: f64,
-    /// Coefficient of thermal expansion, 1/K.
-    pub alpha: f64,
-    /// Change of temperature, K.
-    pub dT: f64,
-    /// Whether there is heat: 1D and 2D are the same for an axis.
-    pub model: ThermalModel,
-    /// Points (x, 0) of the axis at which point quantities are evaluated, m.
-    pub points: Vec<[f64; 2]>,
-    /// Gravity, m/s²; \[0, 0\] where left out.
-    #[serde(default)]
-    pub gravity: [f64; 2],
-}
-
-/// The value of a quantity `cable.…` of [`CONTENTS`](crate::equations::CONTENTS), row by row; for a point quantity one point
-/// after the other. `None` where there is no such quantity.
+/// Value of a `quantity` (`cable.…`) of [`CONTENTS`](crate::equations::CONTENTS) for the state of a cable element.
+///
+/// Matrices row by row; point quantities one point after the other. `None` for an unknown quantity, and for the acceleration
+/// where the mass matrix is not positive definite.
+///
+/// ```
+/// use ancf::state::{CableState, evaluate_cable};
+///
+/// # let text = r#"{"l": 2.0, "h": 0.1, "w": 0.05, "theta": 0.0, "e0": [0, 0, 1, 0, 2, 0, 1, 0], "e": [0, 0, 1.1, 0, 2.2, 0, 1.1, 0],
+/// #     "edot": [0, 0, 0, 0, 0, 0, 0, 0], "E": 2e8, "nu": 0.0, "rho": 7200.0, "alpha": 1e-5, "dT": 100.0, "model": "1d",
+/// #     "points": [[0.5, 0.0]]}"#;
+/// let state = CableState::parse(text, "cable.json")?; // stretched to 1.1 of its length, αΔT = 0.001
+/// let epsilon = evaluate_cable("cable.epsilon", &state).unwrap();
+/// assert!((epsilon[0] - (0.1 - 0.001)).abs() < 1e-15);
+/// # Ok::<(), ancf::error::Error>(())
+/// ```
 pub fn evaluate_cable(quantity: &str, state: &CableState) -> Option<Vec<f64>> {
     let &CableState { l, h, w, E, rho, .. } = state;
     let (e, e_dot) = (Vector8::from(state.e), Vector8::from(state.edot));

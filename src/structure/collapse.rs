@@ -31,7 +31,7 @@ impl Structure {
         if sum.is_nan() { sum } else { largest.into_iter().fold(0.0, f64::max) }
     }
 
-    /// Refuses a state `u` in which an element has collapsed ([`Beam::left`](crate::elements::Beam::left)); `before` is the state that
+    /// Refuses a state `u` in which an element has collapsed ([`Beam::min_det_j`](crate::elements::Beam::min_det_j)); `before` is the state that
     /// was looked at last. The equations still have solutions there, of an element that is its own mirror image.
     ///
     /// # Errors

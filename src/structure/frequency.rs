@@ -6,7 +6,7 @@ use super::rod::Rod;
 use super::rod_elements::ElementMatrix;
 use super::{MassFactors, Structure};
 use crate::elements::{Meaning, ThermalStrain};
-use crate::equations::material;
+use crate::equations::material::{self, YoungPoisson};
 use crate::linear::{Pencil, SingularAt, largest_eigenvalue};
 use crate::model::{self, Element, Material, Scene};
 
@@ -107,8 +107,9 @@ impl Structure {
     /// The time in which an axial wave, √((λ + 2μ)/ρ) fast or √(E/ρ), runs along a rod, s.
     pub fn wave_time(scene: &Scene, rod: &model::Rod) -> f64 {
         let Material { youngs_modulus, nu, rho, .. } = *scene.material(rod);
+        let moduli = YoungPoisson { E: youngs_modulus, nu };
         let stiff = match rod.element {
-            Element::Ancf => material::lambda(youngs_modulus, nu) + 2.0 * material::mu(youngs_modulus, nu),
+            Element::Ancf => material::lambda(moduli) + 2.0 * material::mu(moduli),
             Element::EulerBernoulli => youngs_modulus,
         };
         scene.length(rod) / (stiff / rho).sqrt()

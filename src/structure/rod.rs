@@ -9,9 +9,10 @@ use super::rod_elements::RodElements;
 use super::uniform_elements::UniformElements;
 use super::unknown_kind::UnknownKind;
 use crate::elements::{Ancf, Beam, Cable, Law, Meaning, NodalVector, PrintedShear, ThermalStrain};
-use crate::equations::force::Element;
+use crate::equations::element::Element;
+use crate::equations::material::{LameConstants, YoungPoisson};
 use crate::equations::shape::Vector14;
-use crate::equations::{cable, inertia, material};
+use crate::equations::{cable, inertia};
 use crate::model::plan::Plan;
 use crate::model::{self, Form, Scene, Temperature, ThermalModel};
 
@@ -107,15 +108,15 @@ impl Rod {
 /// FrontalChain of the paper.
 fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
-    let (lambda, mu) = lame(material);
+    let lame = lame(material);
     let (l, h, w, theta) = (along.norm(), section.height, section.width, along.y.atan2(along.x));
     match scene.form {
         Form::Consistent => {
-            let law = Law { lambda, mu, poisson: rod.poisson };
+            let law = Law { lame, poisson: rod.poisson };
             let beam = Ancf::new(l, h, w, theta, law);
             equal(if plan.poisson { beam.with_poissons_terms(law, h, w) } else { beam }, scene, rod, along)
         }
-        Form::PrintedShear => equal(PrintedShear::new(l, h, w, theta, lambda, mu), scene, rod, along),
+        Form::PrintedShear => equal(PrintedShear::new(l, h, w, theta, lame), scene, rod, along),
     }
 }
 
@@ -127,9 +128,9 @@ fn equal<B: Beam<14> + Debug + Send + Sync + 'static>(
     along: Vector2<f64>,
 ) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
-    // Its place does not matter to mass and weight, so e₀ stays out.
+    // Mass and weight do not depend on e₀.
     let element = Element { l: along.norm(), h: section.height, w: section.width, e_0: Vector14::zeros() };
-    let (lambda, mu) = lame(material);
+    let LameConstants { lambda, mu } = lame(material);
     Box::new(UniformElements {
         beam,
         along,
@@ -140,10 +141,9 @@ fn equal<B: Beam<14> + Debug + Send + Sync + 'static>(
     })
 }
 
-/// λ and μ, Pa.
-fn lame(material: &model::Material) -> (f64, f64) {
-    let model::Material { youngs_modulus, nu, .. } = *material;
-    (material::lambda(youngs_modulus, nu), material::mu(youngs_modulus, nu))
+/// Lamé's constants of a material.
+fn lame(material: &model::Material) -> LameConstants {
+    YoungPoisson { E: material.youngs_modulus, nu: material.nu }.into()
 }
 
 /// FrontalChain of the paper's competitor.

@@ -1,7 +1,7 @@
 //! What rounding errors of the elastic forces amount to.
 //!
 //! A strain is made of differences of u over an element's length l, of slopes and of the thermal strain: it carries ε_mach times the
-//! largest of |u|/l, |slope| and |ε_T| ([`Beam::ROUNDED`](crate::elements::Beam::ROUNDED) at least), which a stiff rod makes a force. Where that is no longer small beside the loads a motion follows the rounding; in statics a slender rod turns it
+//! largest of |u|/l, |slope| and |ε_T| ([`Beam::ROUNDING_SCALE`](crate::elements::Beam::ROUNDING_SCALE) at least), which a stiff rod makes a force. Where that is no longer small beside the loads a motion follows the rounding; in statics a slender rod turns it
 //! into a displacement.
 
 use nalgebra::DVector;

@@ -95,7 +95,7 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
     }
 
     fn rounded(&self) -> f64 {
-        B::ROUNDED
+        B::ROUNDING_SCALE
     }
 
     fn stress_free(&self, eps_t: ThermalStrain) -> [f64; 2] {
@@ -186,9 +186,9 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
     }
 
     fn collapsed(&self, before: &DVector<f64>, u: &DVector<f64>) -> Option<usize> {
-        let left = |place: &ElementDofs<N>| self.beam.left(&place.gather(before), &place.gather(u));
+        let min_det_j = |place: &ElementDofs<N>| self.beam.min_det_j(&place.gather(before), &place.gather(u));
         // A NaN is not over 0.
-        self.places.iter().position(|place| left(place).partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater))
+        self.places.iter().position(|place| min_det_j(place).partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater))
     }
 
     fn energy(&self, u: &DVector<f64>, eps_t: ThermalStrain) -> f64 {

@@ -4,9 +4,10 @@
 #![allow(dead_code)] // Each test binary uses its own part.
 
 use crate::common::{TOLERANCE, within, worst_ratio};
-use ancf::equations::force::{self, Element, Matrix14};
+use ancf::equations::element::{Element, Matrix14};
+use ancf::equations::material::{LameConstants, YoungPoisson};
 use ancf::equations::shape::{self, Nodes, Vector14};
-use ancf::equations::{material, strain};
+use ancf::equations::{force, strain};
 use ancf::state::ThermalModel;
 use nalgebra::{Rotation2, Vector2, Vector3};
 use proptest::prelude::*;
@@ -55,12 +56,6 @@ pub fn axes(theta: f64) -> (Vector2<f64>, Vector2<f64>) {
     (Vector2::new(cos, sin), Vector2::new(-sin, cos))
 }
 
-/// A straight element of inclination `theta` that starts at the origin.
-pub fn element(l: f64, h: f64, w: f64, theta: f64) -> Element {
-    let (t, n) = axes(theta);
-    Element { l, h, w, e_0: uniform(l, t, n) }
-}
-
 /// Turns all seven vectors about the origin.
 pub fn turned(e: &Vector14, angle: f64) -> Vector14 {
     let R = Rotation2::new(angle);
@@ -74,14 +69,14 @@ pub fn moved(e: &Vector14, by: &Vector2<f64>) -> Vector14 {
 }
 
 /// [`force::U`] or [`force::U_printed`].
-pub type Energy = fn(&Vector14, &Vector3<f64>, f64, f64, &Element) -> f64;
+pub type Energy = fn(&Vector14, &Vector3<f64>, LameConstants, &Element) -> f64;
 /// [`force::K`] or [`force::K_printed`].
-pub type Stiffness = fn(f64, f64, &Matrix14, &Matrix14, &Matrix14) -> Matrix14;
+pub type Stiffness = fn(LameConstants, &Matrix14, &Matrix14, &Matrix14) -> Matrix14;
 
 /// (20) and (21), in the form of `sum`, with the consistent K₃.
-pub fn K(sum: Stiffness, e: &Vector14, eps_T: &Vector3<f64>, lambda: f64, mu: f64, element: &Element) -> Matrix14 {
+pub fn K(sum: Stiffness, e: &Vector14, eps_T: &Vector3<f64>, lame: LameConstants, element: &Element) -> Matrix14 {
     let (K_1, K_2, K_3) = (force::K_1(e, eps_T, element), force::K_2(e, eps_T, element), force::K_3(e, eps_T, element));
-    sum(lambda, mu, &K_1, &K_2, &K_3)
+    sum(lame, &K_1, &K_2, &K_3)
 }
 
 /// An element, a motion and a heating of it. The numbers are those in the rod's own axes, so that the state turns
@@ -134,7 +129,7 @@ pub fn states() -> impl Strategy<Value = State> {
 
 impl State {
     pub fn element(&self) -> Element {
-        let own = element(self.l, self.h, self.w, 0.0);
+        let own = Element::straight(self.l, self.h, self.w, 0.0);
         Element { e_0: turned(&moved(&own.e_0, &self.start), self.theta), ..own }
     }
 
@@ -148,12 +143,12 @@ impl State {
         State { theta: self.theta + angle, ..self.clone() }
     }
 
-    pub fn lambda(&self) -> f64 {
-        material::lambda(self.E, self.nu)
+    pub fn moduli(&self) -> YoungPoisson {
+        YoungPoisson { E: self.E, nu: self.nu }
     }
 
-    pub fn mu(&self) -> f64 {
-        material::mu(self.E, self.nu)
+    pub fn lame(&self) -> LameConstants {
+        self.moduli().into()
     }
 
     /// Thermal strain in global axes.
@@ -176,12 +171,12 @@ impl State {
 
     /// (18), consistent, of any `e` at the temperature of now.
     pub fn U(&self, e: &Vector14) -> f64 {
-        force::U(e, &self.eps_T(0), self.lambda(), self.mu(), &self.element())
+        force::U(e, &self.eps_T(0), self.lame(), &self.element())
     }
 
     /// (20), consistent.
     pub fn K(&self, e: &Vector14, time: usize) -> Matrix14 {
-        K(force::K, e, &self.eps_T(time), self.lambda(), self.mu(), &self.element())
+        K(force::K, e, &self.eps_T(time), self.lame(), &self.element())
     }
 
     /// (19), consistent, of any `e` at the temperature of now.
@@ -191,7 +186,7 @@ impl State {
 
     pub fn sizes(&self, e: &Vector14) -> Sizes {
         let heat = self.heat[0].abs().max(self.heat[1].abs());
-        Sizes::of(&self.element(), self.lambda(), self.mu(), heat, e)
+        Sizes::of(&self.element(), self.lame(), heat, e)
     }
 }
 
@@ -208,7 +203,7 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    pub fn of(element: &Element, lambda: f64, mu: f64, heat: f64, e: &Vector14) -> Sizes {
+    pub fn of(element: &Element, LameConstants { lambda, mu }: LameConstants, heat: f64, e: &Vector14) -> Sizes {
         let Element { l, h, w, .. } = *element;
         let b = h / 2.0 / l;
         let x = [5.0 / l, 3.0 * b, 4.0 / l, 2.0, 4.0 * b, 5.0 / l, 3.0 * b];

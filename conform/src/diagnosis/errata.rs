@@ -5,8 +5,9 @@
 use super::stations::{self, K, stations};
 use super::{Candidate, Kind, candidate, possible, rows};
 use crate::suite::{Case, Parsed};
+use ancf::equations::element::Matrix14;
 use ancf::equations::force;
-use ancf::equations::material as law;
+use ancf::equations::material::LameConstants;
 use ancf::equations::shape::Vector14;
 use ancf::state::ElementState;
 
@@ -34,19 +35,19 @@ pub(super) fn of<'a>(quantity: &str, case: &'a Case) -> Vec<Candidate<'a>> {
 
 /// The −1 of E2 alone, with heat as it should be, and both errors at once; E3 in the material part of the tangent alone.
 fn of_element<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>> {
-    let (lambda, mu) = (law::lambda(state.E, state.nu), law::mu(state.E, state.nu));
+    let lame = LameConstants::from(state.moduli());
     let K_123 = move || {
         let (e, element, eps_T) = (Vector14::from(state.e), state.element(), state.eps_T());
         let unit = K(&stations(&e, &element, &stations::exact(state)), |_| [0.0, 0.0, 1.0]);
         let K_3 = force::K_3(&e, &eps_T, &element) - unit;
         (force::K_1(&e, &eps_T, &element), force::K_2(&e, &eps_T, &element), K_3)
     };
-    type Sum = fn(f64, f64, &force::Matrix14, &force::Matrix14, &force::Matrix14) -> force::Matrix14;
+    type Sum = fn(LameConstants, &Matrix14, &Matrix14, &Matrix14) -> Matrix14;
     let sums: [(&str, Sum); 2] =
         [("E2: −1 in K_3", force::K), ("E2 and E3: −1 in K_3, and 2μ K_3 for 4μ K_3", force::K_printed)];
     let summed = move |sum: Sum| {
         let (K_1, K_2, K_3) = K_123();
-        sum(lambda, mu, &K_1, &K_2, &K_3)
+        sum(lame, &K_1, &K_2, &K_3)
     };
     match quantity {
         "21.K_3" => vec![candidate(Kind::Erratum, "E2: −1 in K_3", move || rows(&K_123().2))],

@@ -5,7 +5,8 @@
 use nalgebra::Matrix2;
 
 use super::{Candidate, Kind, candidate, rows};
-use ancf::equations::force::{Matrix14, S_1};
+use ancf::equations::element::Matrix14;
+use ancf::equations::force::S_1;
 use ancf::equations::shape::{self, Vector14};
 use ancf::equations::strain;
 use ancf::state::ElementState;

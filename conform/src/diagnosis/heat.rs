@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::law::{HEATED, with_heat_and_law};
 use super::{Candidate, Kind, possible};
-use ancf::equations::{material, strain};
+use ancf::equations::strain;
 use ancf::state::{ElementState, ThermalModel, evaluate};
 
 /// The value for each of the strains of [`strains`].
@@ -82,7 +82,6 @@ fn strains(state: &ElementState) -> Vec<(Kind, String, Vector3<f64>)> {
 
 /// The value for another thermal strain.
 fn with_heat(quantity: &str, state: &ElementState, eps_T: &Vector3<f64>) -> Option<Vec<f64>> {
-    let (lambda, mu) = (material::lambda(state.E, state.nu), material::mu(state.E, state.nu));
     match quantity {
         "8.epsilon_T" => Some(eps_T.as_slice().to_vec()),
         "14.epsilon" => Some(
@@ -91,6 +90,6 @@ fn with_heat(quantity: &str, state: &ElementState, eps_T: &Vector3<f64>) -> Opti
                 .flat_map(|eps_f| eps_f.iter().zip(eps_T.iter()).map(|(f, t)| f - t).collect::<Vec<_>>())
                 .collect(),
         ),
-        _ => with_heat_and_law(quantity, state, eps_T, lambda, mu),
+        _ => with_heat_and_law(quantity, state, eps_T, state.moduli().into()),
     }
 }

@@ -6,8 +6,8 @@ use nalgebra::{Vector2, Vector3};
 
 use super::stations::{K, Station, bracket, exact, gauss, material, mean, points, product, stations};
 use super::{Candidate, Kind, candidate, possible, rows};
-use ancf::equations::force::Matrix14;
-use ancf::equations::material as law;
+use ancf::equations::element::Matrix14;
+use ancf::equations::material::{self as law, LameConstants};
 use ancf::equations::shape::{self, Vector14};
 use ancf::equations::volume::{GAUSS_3, GAUSS_5, Point};
 use ancf::state::{ElementState, ThermalModel};
@@ -61,7 +61,7 @@ fn rules(state: &ElementState) -> Vec<(String, Vec<Point>)> {
 /// A quantity by another rule.
 fn integrated(quantity: &str, state: &ElementState, rule: &[Point]) -> Option<Vec<f64>> {
     let (e, element, eps_T) = (Vector14::from(state.e), state.element(), state.eps_T());
-    let (lambda, mu) = (law::lambda(state.E, state.nu), law::mu(state.E, state.nu));
+    let lame @ LameConstants { lambda, mu } = state.moduli().into();
     let S = |p: &Point| shape::S(p.x, p.y, state.l);
     let M = || rule.iter().fold(Matrix14::zeros(), |M, p| M + state.rho * p.dV * S(p).tr_mul(&S(p)));
     match quantity {
@@ -96,7 +96,7 @@ fn integrated(quantity: &str, state: &ElementState, rule: &[Point]) -> Option<Ve
         "19.Q_e" => Some(rows(&(all() * e))),
         "tangent.dQ_e" => {
             let B = |s: &Station| s.S_1.map(|S_1| S_1 * e);
-            Some(rows(&(all() + material(&stations, B, stiffness(lambda, mu)))))
+            Some(rows(&(all() + material(&stations, B, stiffness(lame)))))
         }
         _ => None,
     }
@@ -106,16 +106,16 @@ fn integrated(quantity: &str, state: &ElementState, rule: &[Point]) -> Option<Ve
 /// same name as the whole tangent by that rule, so that one cause is told once.
 fn with_the_right_K(state: &ElementState, rule: &[Point]) -> Vec<f64> {
     let (e, element, eps_T) = (Vector14::from(state.e), state.element(), state.eps_T());
-    let (lambda, mu) = (law::lambda(state.E, state.nu), law::mu(state.E, state.nu));
+    let lame = state.moduli().into();
     let by = |points: &[Point]| {
         let own = |s: &Station| s.S_1.map(|S_1| S_1 * e);
-        material(&stations(&e, &element, points), own, stiffness(lambda, mu))
+        material(&stations(&e, &element, points), own, stiffness(lame))
     };
-    rows(&(ancf::equations::force::tangent(&e, &eps_T, lambda, mu, &element) - by(&exact(state)) + by(rule)))
+    rows(&(ancf::equations::force::tangent(&e, &eps_T, lame, &element) - by(&exact(state)) + by(rule)))
 }
 
 /// The constants between the three strains.
-fn stiffness(lambda: f64, mu: f64) -> [[f64; 3]; 3] {
+fn stiffness(LameConstants { lambda, mu }: LameConstants) -> [[f64; 3]; 3] {
     let stiff = lambda + 2.0 * mu;
     [[stiff, lambda, 0.0], [lambda, stiff, 0.0], [0.0, 0.0, 4.0 * mu]]
 }
@@ -156,11 +156,11 @@ fn integrands<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>>
         }
         "18.U" => {
             // The mean of stress and strain of two different heats.
-            let (lambda, mu) = (law::lambda(state.E, state.nu), law::mu(state.E, state.nu));
+            let lame = state.moduli().into();
             let half = move || {
-                let (D, stations) = (law::D(lambda, mu), at());
+                let (D, stations) = (law::D(lame), at());
                 let stress = D * Vector3::from_fn(|n, _| mean(&stations, &eps_T, n));
-                let U = ancf::equations::force::U(&e, &eps_T, lambda, mu, &state.element());
+                let U = ancf::equations::force::U(&e, &eps_T, lame, &state.element());
                 vec![U + 0.5 * (eps_T[0] * stress[0] + eps_T[1] * stress[1] + 2.0 * eps_T[2] * stress[2])]
             };
             vec![candidate(Kind::Heat, "½ σ : ε_f for ½ σ : ε: heat in one of the factors only", half)]
@@ -173,11 +173,11 @@ fn integrands<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>>
 /// Other material parts of the tangent.
 fn tangents(state: &ElementState) -> Vec<Candidate<'_>> {
     let (e, eps_T) = (Vector14::from(state.e), state.eps_T());
-    let (lambda, mu) = (law::lambda(state.E, state.nu), law::mu(state.E, state.nu));
-    let right = stiffness(lambda, mu);
+    let lame @ LameConstants { lambda, .. } = state.moduli().into();
+    let right = stiffness(lame);
     let value = move |B: fn(&Station, &Vector14) -> [Vector14; 3], weights: [[f64; 3]; 3]| {
         let (element, stations) = (state.element(), stations(&e, &state.element(), &exact(state)));
-        let all = ancf::equations::force::tangent(&e, &eps_T, lambda, mu, &element);
+        let all = ancf::equations::force::tangent(&e, &eps_T, lame, &element);
         let own = |s: &Station| s.S_1.map(|S_1| S_1 * e);
         rows(&(all - material(&stations, own, right) + material(&stations, |s| B(s, &e), weights)))
     };

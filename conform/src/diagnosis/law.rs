@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::{Candidate, Kind, candidate, possible, rows};
 use ancf::equations::force;
-use ancf::equations::material as law;
+use ancf::equations::material::{self as law, LameConstants};
 use ancf::equations::shape::Vector14;
 use ancf::state::{ElementState, evaluate};
 
@@ -69,7 +69,7 @@ fn products<'a>(state: &'a ElementState, symbol: &str) -> Vec<Candidate<'a>> {
 /// Constants that are often taken for the right ones.
 fn laws<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     let ElementState { E, nu, .. } = *state;
-    let (lambda, mu) = (law::lambda(E, nu), law::mu(E, nu));
+    let LameConstants { lambda, mu } = state.moduli().into();
     let constants = [
         ("plane stress in place of (16)", E * nu / (1.0 - nu * nu), mu),
         ("λ and μ exchanged", mu, lambda),
@@ -85,17 +85,17 @@ fn laws<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
         ("μ = E/(2(1 + 2ν))", lambda, E / (2.0 * (1.0 + 2.0 * nu))),
         ("μ = E/2, without ν", lambda, E / 2.0),
     ];
-    let value = move |lambda: f64, mu: f64| match quantity {
-        "16.D" => Some(rows(&law::D(lambda, mu))),
+    let value = move |lame: LameConstants| match quantity {
+        "16.D" => Some(rows(&law::D(lame))),
         "15.sigma" => Some(
             evaluate("14.epsilon", state)?
                 .chunks_exact(3)
-                .flat_map(|eps| rows(&(law::D(lambda, mu) * Vector3::from_row_slice(eps))))
+                .flat_map(|eps| rows(&(law::D(lame) * Vector3::from_row_slice(eps))))
                 .collect(),
         ),
-        _ => with_heat_and_law(quantity, state, &state.eps_T(), lambda, mu),
+        _ => with_heat_and_law(quantity, state, &state.eps_T(), lame),
     };
-    let with = |(what, lambda, mu)| possible(Kind::Poisson, what, move || value(lambda, mu));
+    let with = |(what, lambda, mu)| possible(Kind::Poisson, what, move || value(LameConstants { lambda, mu }));
     constants.map(with).into()
 }
 
@@ -104,22 +104,21 @@ pub(super) fn with_heat_and_law(
     quantity: &str,
     state: &ElementState,
     eps_T: &Vector3<f64>,
-    lambda: f64,
-    mu: f64,
+    lame: LameConstants,
 ) -> Option<Vec<f64>> {
     let (e, element) = (Vector14::from(state.e), state.element());
     let K = || {
         let (K_1, K_2) = (force::K_1(&e, eps_T, &element), force::K_2(&e, eps_T, &element));
-        force::K(lambda, mu, &K_1, &K_2, &force::K_3(&e, eps_T, &element))
+        force::K(lame, &K_1, &K_2, &force::K_3(&e, eps_T, &element))
     };
     match quantity {
-        "18.U" => Some(vec![force::U(&e, eps_T, lambda, mu, &element)]),
+        "18.U" => Some(vec![force::U(&e, eps_T, lame, &element)]),
         "21.K_1" => Some(rows(&force::K_1(&e, eps_T, &element))),
         "21.K_2" => Some(rows(&force::K_2(&e, eps_T, &element))),
         "21.K_3" => Some(rows(&force::K_3(&e, eps_T, &element))),
         "20.K" => Some(rows(&K())),
         "19.Q_e" => Some(rows(&force::Q_e(&e, &K()))),
-        "tangent.dQ_e" => Some(rows(&force::tangent(&e, eps_T, lambda, mu, &element))),
+        "tangent.dQ_e" => Some(rows(&force::tangent(&e, eps_T, lame, &element))),
         _ => None,
     }
 }

@@ -4,7 +4,8 @@
 
 use nalgebra::Vector3;
 
-use ancf::equations::force::{Element, Matrix14, S_1};
+use ancf::equations::element::{Element, Matrix14};
+use ancf::equations::force::S_1;
 use ancf::equations::shape::Vector14;
 use ancf::equations::strain::S_abc;
 use ancf::equations::volume::{GAUSS_3, GAUSS_5, Point, gauss_points};

@@ -1,22 +1,23 @@
-//! The section of the paper's element: its strains, its law through the thickness, and their derivatives.
+//! The section of the paper's element: its generalized strains, its law integrated through the thickness, and their derivatives.
+//!
+//! With the strains ε₁₁ = a₀ + a₁y + a₂y², ε₂₂ = c, 2ε₁₂ = g₀ + g₁y the integrals over y are done by hand.
 
 #![allow(non_snake_case)] // The symbols of the derivation are names here: A, I, N, H.
 
 use crate::elements::plane::{Block, Scalar, Vec2, Vector};
+use crate::equations::material::LameConstants;
 use crate::model::Poisson;
 
-/// The plane law of the section: Lamé's constants, Pa, and where Poisson's terms act.
+/// Plane law of the section: its moduli, and where Poisson's terms act.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law {
-    /// Lamé's first constant.
-    pub lambda: f64,
-    /// Shear modulus.
-    pub mu: f64,
+    /// Lamé's constants, Pa.
+    pub lame: LameConstants,
     /// Across the section, as in the paper, or on the axis ([`equations::axis`](crate::equations::axis)).
     pub poisson: Poisson,
 }
 
-/// The current vectors of a section: tangent r', director d and its rate κ = d'.
+/// Current vectors of a section: tangent r', director d and its derivative κ = d'.
 #[derive(Clone, Copy)]
 pub(super) struct Section<V> {
     pub r_x: V,
@@ -24,7 +25,7 @@ pub(super) struct Section<V> {
     pub kappa: V,
 }
 
-/// Generalized strains of a section, or the forces that do work on them, or rates of either.
+/// Generalized strains of a section, the forces conjugate to them, or rates of either.
 #[derive(Clone, Copy)]
 pub(super) struct Resultants<S> {
     /// ε₁₁ = a₀ + a₁y + a₂y².
@@ -62,12 +63,12 @@ impl<S: Scalar> Resultants<S> {
     }
 }
 
-/// ∫ dy of the law: the section's forces from its strains.
+/// Section law, ∫ dy of the plane law: section forces from section strains.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SectionLaw {
     /// (λ + 2μ)A.
     axial: f64,
-    /// Bending's modulus times I and times ∫ y⁴ dA.
+    /// Modulus of bending times I, and times ∫ y⁴ dA.
     bending: [f64; 2],
     /// μA and μI.
     shear: [f64; 2],
@@ -76,9 +77,11 @@ pub(super) struct SectionLaw {
 }
 
 impl SectionLaw {
-    /// Where Poisson's terms act across the section, λ couples ε₂₂ = c with all of ε₁₁ = a₀ + a₁y + a₂y²; where they act on the
-    /// axis, with a₀ alone, and bending feels E/(1 − ν²).
-    pub fn new(Law { lambda, mu, poisson }: Law, h: f64, w: f64) -> SectionLaw {
+    /// Law of a section `h` × `w` (m).
+    ///
+    /// Poisson's terms across the section couple ε₂₂ = c with all of ε₁₁ = a₀ + a₁y + a₂y² by λ. On the axis they couple it with
+    /// a₀ alone, and the modulus of bending is E/(1 − ν²).
+    pub fn new(Law { lame: LameConstants { lambda, mu }, poisson }: Law, h: f64, w: f64) -> SectionLaw {
         let (A, I, I_4) = (w * h, w * h.powi(3) / 12.0, w * h.powi(5) / 80.0);
         let stiff = lambda + 2.0 * mu;
         let bending = match poisson {
@@ -93,11 +96,12 @@ impl SectionLaw {
         }
     }
 
+    /// λA, and λI or 0: coupling of c with a₀ and with a₂.
     pub fn coupling(lambda: f64, poisson: Poisson, A: f64, I: f64) -> [f64; 2] {
         [lambda * A, if poisson == Poisson::Full { lambda * I } else { 0.0 }]
     }
 
-    /// The section's forces: C times its strains.
+    /// Section forces: C times the section strains.
     #[inline(always)]
     pub fn forces<S: Scalar>(&self, strains: &Resultants<S>) -> Resultants<S> {
         let Resultants { a, c, g } = *strains;
@@ -116,7 +120,7 @@ impl SectionLaw {
     }
 }
 
-/// Second derivative of a station's energy: blocks in p, δ and κ.
+/// Second derivative of a section's energy: blocks in p, δ and κ.
 pub(super) type Stiffness = [[Block; 3]; 3];
 
 impl<V: Vector> Section<V> {
@@ -132,7 +136,7 @@ impl<V: Vector> Section<V> {
 }
 
 impl Section<Vec2> {
-    /// Change of the strains at the rates of `before`, when p, δ and κ change from there to here.
+    /// Linear change of the strains from `before`: their derivatives there times the change of p, δ and κ.
     pub fn change_since(&self, before: &Self) -> Resultants<f64> {
         let Section { r_x, d, kappa } = *before;
         let (dp, ddelta, dkappa) = (self.r_x - r_x, self.d - d, self.kappa - kappa);
@@ -143,9 +147,9 @@ impl Section<Vec2> {
         }
     }
 
-    /// `weight` · (Bᵀ C B₁ + the second derivative of the strains, contracted with the forces `N`), with
-    /// B = ∂(strains)/∂(p, δ, κ) here and B₁ at another section (the same one, but for an energy–momentum step).
+    /// Stiffness of the section: `weight` · (Bᵀ C B₁ + second derivative of the strains, contracted with the forces `N`).
     ///
+    /// B = ∂(strains)/∂(p, δ, κ) belongs to this section and B₁ to `other`, which differs in an energy–momentum step only.
     /// a₀ changes by r'·p, a₁ by κ·p + r'·κ, a₂ by κ·κ, c by d·δ, g₀ by d·p + r'·δ, g₁ by κ·δ + d·κ.
     #[inline(always)]
     pub fn stiffness(&self, other: &Self, law: &SectionLaw, N: &Resultants<f64>, weight: f64) -> Stiffness {

@@ -1,10 +1,10 @@
-//! The axis at a station: its stretch and its curvature, with their derivatives in p and s.
+//! The cable's axis at a Gauss point: stretch and curvature, with their derivatives in p = u_x and s = u_xx.
 
-#![allow(non_snake_case)] // A, B and H are matrices here.
+#![allow(non_snake_case)] // A, B and H are matrices.
 
 use crate::elements::plane::{Block, Vec2, Vector, vec2};
 
-/// The axis at a station of the axial strain.
+/// Stretch of the axis at a Gauss point.
 #[derive(Clone, Copy)]
 pub(super) struct Stretch<V: Vector> {
     pub r_x: V,
@@ -16,7 +16,7 @@ pub(super) struct Stretch<V: Vector> {
     pub strain: V::Number,
 }
 
-/// The axis at a station of the curvature.
+/// Curvature of the axis at a Gauss point.
 #[derive(Clone, Copy)]
 pub(super) struct Bend<V: Vector> {
     pub r_x: V,
@@ -25,29 +25,29 @@ pub(super) struct Bend<V: Vector> {
     pub cross: V::Number,
     /// r_x · r_x
     pub square: V::Number,
-    /// Its inverse.
+    /// 1/(r_x · r_x)
     pub inverse: V::Number,
 }
 
-/// A vector in (p, s): by p, by s.
+/// A vector in (p, s): part in p, part in s.
 pub(super) type Both<V = Vec2> = [V; 2];
 
-/// A matrix in (p, s), by its four blocks.
+/// A matrix in (p, s) as four blocks.
 pub(super) type Blocks = [[Block; 2]; 2];
 
-/// a bᵀ.
+/// Dyadic product a bᵀ of vectors in (p, s).
 #[inline(always)]
 pub(super) fn outers(a: Both, b: Both) -> Blocks {
     a.map(|a| b.map(|b| Block::outer(1.0, a, b)))
 }
 
-/// a A + b B.
+/// Linear combination a A + b B.
 #[inline(always)]
 pub(super) fn combined(a: f64, A: &Blocks, b: f64, B: &Blocks) -> Blocks {
     [0, 1].map(|row| [0, 1].map(|column| A[row][column] * a + B[row][column] * b))
 }
 
-/// ∂²(r_x × r_xx)/∂(p, s)²: p × s = p₁s₂ − p₂s₁.
+/// Second derivative ∂²(r_x × r_xx)/∂(p, s)²: p × s = p₁s₂ − p₂s₁.
 pub(super) fn cross_rate_rate() -> Blocks {
     let ps = Block([vec2(0.0, -1.0), vec2(1.0, 0.0)]);
     let sp = Block([vec2(0.0, 1.0), vec2(-1.0, 0.0)]);
@@ -55,7 +55,7 @@ pub(super) fn cross_rate_rate() -> Blocks {
 }
 
 impl<V: Vector> Stretch<V> {
-    /// ∂ε/∂p
+    /// Derivative of the axial strain, ∂ε/∂p.
     #[inline(always)]
     pub fn rate(&self) -> V {
         self.r_x.times(self.inverse)
@@ -63,7 +63,7 @@ impl<V: Vector> Stretch<V> {
 }
 
 impl Stretch<Vec2> {
-    /// ∂²ε/∂p²
+    /// Second derivative of the axial strain, ∂²ε/∂p².
     #[inline(always)]
     pub fn rate_rate(&self) -> Block {
         let n = self.rate();
@@ -72,12 +72,13 @@ impl Stretch<Vec2> {
 }
 
 impl<V: Vector> Bend<V> {
+    /// Curvature κ = (r_x × r_xx)/|r_x|², 1/m.
     #[inline(always)]
     pub fn kappa(&self) -> V::Number {
         self.cross * self.inverse
     }
 
-    /// ∂κ/∂(p, s), from κ |r_x|² = r_x × r_xx.
+    /// Derivative of the curvature, ∂κ/∂(p, s), from κ |r_x|² = r_x × r_xx.
     #[inline(always)]
     pub fn rate(&self) -> Both<V> {
         let Bend { r_x, r_xx, inverse, .. } = *self;
@@ -87,7 +88,7 @@ impl<V: Vector> Bend<V> {
 }
 
 impl Bend<Vec2> {
-    /// ∂²κ/∂(p, s)², from the same differentiated twice.
+    /// Second derivative of the curvature, ∂²κ/∂(p, s)², from κ |r_x|² = r_x × r_xx differentiated twice.
     #[inline(always)]
     pub fn rate_rate(&self) -> Blocks {
         let rate = self.rate();

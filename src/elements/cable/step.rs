@@ -1,11 +1,13 @@
-//! The energy–momentum step of the cable: vectors and moments whose products with a step's change are exact.
+//! The energy–momentum step of the cable: mean forces and moments, and discrete derivatives of the strains.
+//!
+//! The product of a discrete derivative with the change of (p, s) over the step is exactly the change of the strain.
 
 #![allow(non_snake_case)] // EA, EI and H, as in the derivation.
 
 use super::axis::{Bend, Blocks, Both, Stretch, combined, cross_rate_rate, outers};
 use crate::elements::plane::{Block, Scalar, Vec2, Vector};
 
-/// A station of the axial strain at both ends of a step.
+/// Stretch of the axis at a Gauss point, at both ends of a step.
 pub(super) struct StretchStep<V: Vector> {
     pub start: Stretch<V>,
     pub end: Stretch<V>,
@@ -13,18 +15,22 @@ pub(super) struct StretchStep<V: Vector> {
 }
 
 impl<V: Vector> StretchStep<V> {
+    /// Axial force averaged over both ends, N.
     #[inline(always)]
     pub fn mean_force(&self, EA: f64) -> V::Number {
         let [half_EA, heat] = [0.5 * EA, self.eps_T[0] + self.eps_T[1]].map(V::Number::of);
         half_EA * (self.start.strain + self.end.strain - heat)
     }
 
+    /// 1/(|r_x|₀ + |r_x|₁).
     #[inline(always)]
     fn per_length(&self) -> V::Number {
         V::Number::of(1.0) / (self.start.length + self.end.length)
     }
 
-    /// Vector whose product with p₁ − p₀ is |r_x|₁ − |r_x|₀: 2 r̄_x/(|r_x|₀ + |r_x|₁), as |r_x|² changes by 2 r̄_x·(p₁ − p₀).
+    /// Discrete derivative of the strain: its product with p₁ − p₀ is |r_x|₁ − |r_x|₀.
+    ///
+    /// 2 r̄_x/(|r_x|₀ + |r_x|₁), as |r_x|² changes by 2 r̄_x·(p₁ − p₀).
     #[inline(always)]
     pub fn rate(&self) -> V {
         (self.start.r_x + self.end.r_x).times(self.per_length())
@@ -32,25 +38,26 @@ impl<V: Vector> StretchStep<V> {
 }
 
 impl StretchStep<Vec2> {
-    /// Its derivative with respect to p₁.
+    /// Derivative of [`rate`](StretchStep::rate) with respect to p₁.
     pub fn rate_rate(&self) -> Block {
         (Block::identity(1.0) - Block::outer(1.0, self.rate(), self.end.rate())) * self.per_length()
     }
 }
 
-/// A station of the curvature at both ends of a step.
+/// Curvature of the axis at a Gauss point, at both ends of a step.
 pub(super) struct BendStep<V: Vector> {
     pub start: Bend<V>,
     pub end: Bend<V>,
 }
 
 impl<V: Vector> BendStep<V> {
+    /// Bending moment averaged over both ends, N m.
     #[inline(always)]
     pub fn mean_moment(&self, EI: f64) -> V::Number {
         V::Number::of(0.5 * EI) * (self.start.kappa() + self.end.kappa())
     }
 
-    /// The axis in the middle of the step; the cross product and the square averaged, not those of the middle.
+    /// Mean of both ends; cross product and square are averaged too, not those of the averaged vectors.
     #[inline(always)]
     fn middle(&self) -> Bend<V> {
         let (BendStep { start, end }, half) = (self, V::Number::of(0.5));
@@ -64,14 +71,15 @@ impl<V: Vector> BendStep<V> {
         }
     }
 
-    /// 1/(q₀q₁) of the derivation below.
+    /// 1/(q₀q₁) with q = |r_x|².
     #[inline(always)]
     fn per_squares(&self) -> V::Number {
         self.start.inverse * self.end.inverse
     }
 
-    /// Vector whose product with the change Δ of (p, s) is κ₁ − κ₀. With c = r_x × r_xx and q = |r_x|², both quadratic, so that
-    /// their derivatives in the middle give Δc and Δq exactly: κ₁ − κ₀ = c₁/q₁ − c₀/q₀ = (q̄ Δc − c̄ Δq)/(q₀q₁).
+    /// Discrete derivative of the curvature: its product with the change of (p, s) is κ₁ − κ₀.
+    ///
+    /// c = r_x × r_xx and q = |r_x|² are quadratic, so their derivatives in the middle give the changes Δc and Δq exactly: κ₁ − κ₀ = c₁/q₁ − c₀/q₀ = (q̄ Δc − c̄ Δq)/(q₀q₁).
     #[inline(always)]
     pub fn rate(&self) -> Both<V> {
         let Bend { r_x, r_xx, cross, square, .. } = self.middle();
@@ -81,10 +89,10 @@ impl<V: Vector> BendStep<V> {
 }
 
 impl BendStep<Vec2> {
-    /// Its derivative with respect to (p₁, s₁), from rate · q₀q₁ differentiated.
+    /// Derivative of [`rate`](BendStep::rate) with respect to (p₁, s₁), from rate · q₀q₁ differentiated.
     pub fn rate_rate(&self) -> Blocks {
         let Bend { r_x, r_xx, cross, square, .. } = self.middle();
-        // ∂q₁ = 2 r_x1, ∂c₁; the averages change by half of that, and so do r_x and r_xx.
+        // ∂q₁ = 2 r_x1, and ∂c₁; the averages change by half as much, and so do r_x and r_xx.
         let square_1 = [self.end.r_x * 2.0, Vec2::ZERO];
         let cross_1 = [-self.end.r_xx.turn(), self.end.r_x.turn()];
         let cross_rate = [-r_xx.turn(), r_x.turn()];

@@ -15,8 +15,9 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector2, Vector3};
 use super::case::{Case, Finding, Trial};
 use super::helpers::EPS;
 use crate::error::Result;
-use ancf::equations::force::{self, Element};
-use ancf::equations::{material, shape};
+use ancf::equations::element::Element;
+use ancf::equations::force;
+use ancf::equations::material::{self, LameConstants, YoungPoisson};
 
 pub const CASE: Case = Case {
     name: "inclined-printed-shear",
@@ -32,6 +33,7 @@ pub const CASE: Case = Case {
 
 const SLENDERNESS: f64 = 100.0;
 const E: f64 = 2e8;
+const MODULI: YoungPoisson = YoungPoisson { E, nu: 0.0 };
 
 fn trials() -> Result<Vec<Trial>> {
     let mut trials = Vec::new();
@@ -50,7 +52,7 @@ fn trials() -> Result<Vec<Trial>> {
 
 fn measure(degrees: f64, printed: bool, across: bool) -> Result<Finding> {
     let theta = f64::to_radians(degrees);
-    let (h, mu) = (1.0 / SLENDERNESS, material::mu(E, 0.0));
+    let (h, mu) = (1.0 / SLENDERNESS, material::mu(MODULI));
     let (area, bending) = (h * h, E * h.powi(4) / 12.0);
     let (sin, cos) = ((2.0 * theta).sin(), (2.0 * theta).cos());
     let loss = if printed { 1.0 } else { 0.0 };
@@ -84,12 +86,10 @@ fn measure(degrees: f64, printed: bool, across: bool) -> Result<Finding> {
 /// Displacement of the tip of one clamped element by a force of 1 N, across or along, by the tangent at rest.
 fn compliance(theta: f64, printed: bool, across: bool) -> Result<f64> {
     let (sin, cos) = theta.sin_cos();
-    let (t, n, zero) = (Vector2::new(cos, sin), Vector2::new(-sin, cos), Vector2::zeros());
-    let e_0 = shape::e(&shape::Nodes { r_i: zero, r_y_i: n, r_j: t * 0.5, r_x_j: t, r_y_j: n, r_k: t, r_y_k: n });
-    let element = Element { l: 1.0, h: 1.0 / SLENDERNESS, w: 1.0 / SLENDERNESS, e_0 };
-    let (lambda, mu) = (material::lambda(E, 0.0), material::mu(E, 0.0));
+    let (t, n) = (Vector2::new(cos, sin), Vector2::new(-sin, cos));
+    let element = Element::straight(1.0, 1.0 / SLENDERNESS, 1.0 / SLENDERNESS, theta);
     let of = if printed { force::tangent_printed } else { force::tangent };
-    let tangent = of(&e_0, &Vector3::zeros(), lambda, mu, &element);
+    let tangent = of(&element.e_0, &Vector3::zeros(), LameConstants::from(MODULI), &element);
     // Free: r_yⁱ along n, as the clamp holds its direction, and all that follows.
     let free = DMatrix::from_fn(14, 11, |row, column| match column {
         0 => {

@@ -17,9 +17,10 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use super::case::{Case, Expected, Finding, Trial};
 use super::helpers::{EPS, builtin, last};
 use crate::error::Result;
-use ancf::equations::force::{self, Element as Beam};
+use ancf::equations::element::Element as Beam;
+use ancf::equations::force;
+use ancf::equations::material::{LameConstants, YoungPoisson};
 use ancf::equations::shape::Vector14;
-use ancf::equations::{material, shape};
 use ancf::model::{Element, Scene};
 use ancf::run::run;
 
@@ -112,26 +113,21 @@ fn measure(element: Element, elements: usize, slenderness: f64) -> Result<Findin
 /// The tip by the paper's own arrangement: absolute coordinates e, forces (19), tangent, Newton's iteration on a dense matrix.
 fn total(scene: &Scene) -> f64 {
     let (section, material) = (&scene.section, &scene.material);
-    let (lambda, mu) =
-        (material::lambda(material.youngs_modulus, material.nu), material::mu(material.youngs_modulus, material.nu));
-    let (t, n) = (nalgebra::Vector2::x(), nalgebra::Vector2::y());
-    let zero = nalgebra::Vector2::zeros();
-    let e_0 = shape::e(&shape::Nodes { r_i: zero, r_y_i: n, r_j: t * 0.5, r_x_j: t, r_y_j: n, r_k: t, r_y_k: n });
-    let element = Beam { l: 1.0, h: section.height, w: section.width, e_0 };
+    let lame = LameConstants::from(YoungPoisson { E: material.youngs_modulus, nu: material.nu });
+    let element = Beam::straight(1.0, section.height, section.width, 0.0);
     // Held: both coordinates of rⁱ and the first of r_yⁱ.
     let free: Vec<usize> = (3..14).collect();
-    let (mut e, no_heat): (Vector14, _) = (e_0, Vector3::zeros());
+    let (mut e, no_heat): (Vector14, _) = (element.e_0, Vector3::zeros());
     for _ in 0..6 {
         let stiffness = force::K(
-            lambda,
-            mu,
+            lame,
             &force::K_1(&e, &no_heat, &element),
             &force::K_2(&e, &no_heat, &element),
             &force::K_3(&e, &no_heat, &element),
         );
         let mut residual = -force::Q_e(&e, &stiffness);
         residual[11] += scene.forces[0].force[1];
-        let tangent = force::tangent(&e, &no_heat, lambda, mu, &element);
+        let tangent = force::tangent(&e, &no_heat, lame, &element);
         let of_free = DMatrix::from_fn(free.len(), free.len(), |row, column| tangent[(free[row], free[column])]);
         let Some(change) = of_free.lu().solve(&DVector::from_fn(free.len(), |row, _| residual[free[row]])) else {
             return f64::NAN;

@@ -5,14 +5,15 @@
 use super::super::rows;
 use super::super::stations::{K, Station, exact, material, product, stations};
 use super::{Term, foreign, term};
-use ancf::equations::force::{self, Matrix14};
-use ancf::equations::material as law;
+use ancf::equations::element::Matrix14;
+use ancf::equations::force;
+use ancf::equations::material::LameConstants;
 use ancf::equations::shape::Vector14;
 use ancf::state::ElementState;
 
 pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
     let (e, element, eps_T) = (Vector14::from(state.e), state.element(), state.eps_T());
-    let (lambda, mu) = (law::lambda(state.E, state.nu), law::mu(state.E, state.nu));
+    let LameConstants { lambda, mu } = state.moduli().into();
     let parts = || {
         let (K_1, K_2) = (force::K_1(&e, &eps_T, &element), force::K_2(&e, &eps_T, &element));
         let K_3 = force::K_3(&e, &eps_T, &element);

@@ -45,7 +45,7 @@ pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
         }
         "14.epsilon" => at_points(state, &["ε_f", "−ε_T"], |x, y| vec![rows(&eps_f(x, y)), rows(&(-eps_T))]),
         "15.sigma" => {
-            let D = law::D(law::lambda(state.E, state.nu), law::mu(state.E, state.nu));
+            let D = law::D(state.moduli().into());
             let names = ["what ε_1 adds", "what ε_2 adds", "what ε_3 adds", "D ε_T"];
             let mut terms = at_points(state, &names, |x, y| {
                 let eps = eps_f(x, y) - eps_T;
