@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-/// Result with this crate's [`Error`].
-pub type Result<T> = std::result::Result<T, Error>;
+/// Result, with this crate's [`Error`] unless another is named.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Error that prevents an examination or a listing. All of them are bad input.
 #[derive(Debug, thiserror::Error)]

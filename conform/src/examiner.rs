@@ -217,12 +217,7 @@ impl Examiner<'_> {
         suite.invalid.iter().map(verdict).collect()
     }
 
-    fn ask(
-        &mut self,
-        equation: &str,
-        state: &Value,
-        given: BTreeMap<&str, &Value>,
-    ) -> std::result::Result<Answer, Fault> {
+    fn ask(&mut self, equation: &str, state: &Value, given: BTreeMap<&str, &Value>) -> Result<Answer, Fault> {
         if let Err(fault) = &self.subject.hello {
             return Err(Fault::NotAsked(format!("it did not answer hello: {fault}")));
         }

@@ -36,7 +36,7 @@ mod graph;
 mod numbers;
 mod process;
 mod protocol;
-mod report;
+pub mod report;
 mod schema;
 mod state_file;
 mod subject;

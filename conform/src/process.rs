@@ -4,7 +4,7 @@
 //! standard error and keeps its last lines for the report.
 
 use std::collections::VecDeque;
-use std::io::{BufRead, BufReader, Error, Read, Result, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -31,7 +31,7 @@ pub struct Process {
     ended: bool,
     questions: Sender<String>,
     writer: JoinHandle<()>,
-    lines: Receiver<std::result::Result<String, Fault>>,
+    lines: Receiver<Result<String, Fault>>,
     last_errors: Arc<Mutex<VecDeque<String>>>,
 }
 
@@ -40,7 +40,7 @@ impl Process {
     ///
     /// # Errors
     /// The system's error if the program cannot be started.
-    pub fn start(name: &str, arguments: &[String]) -> Result<Process> {
+    pub fn start(name: &str, arguments: &[String]) -> io::Result<Process> {
         let mut command = Command::new(name);
         command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         // Processes that the program starts belong to its group and are killed with it.
@@ -49,7 +49,7 @@ impl Process {
         let mut child = command.spawn()?;
         let (stdin, stdout, stderr) = match (child.stdin.take(), child.stdout.take(), child.stderr.take()) {
             (Some(stdin), Some(stdout), Some(stderr)) => (stdin, stdout, stderr),
-            _ => return Err(Error::other("its standard input and output cannot be reached")),
+            _ => return Err(io::Error::other("its standard input and output cannot be reached")),
         };
         let (questions, to_write) = channel();
         let (to_tell, lines) = sync_channel(AHEAD);
@@ -65,7 +65,7 @@ impl Process {
     ///
     /// # Errors
     /// [`Fault::Crash`] if the program no longer reads.
-    pub fn send(&self, line: String) -> std::result::Result<(), Fault> {
+    pub fn send(&self, line: String) -> Result<(), Fault> {
         self.questions.send(line).map_err(|_| not_reading())
     }
 
@@ -73,7 +73,7 @@ impl Process {
     ///
     /// # Errors
     /// [`Fault::Crash`] if no more lines will come, [`Fault::Endless`] if a line does not end.
-    pub fn next(&self, limit: Duration) -> std::result::Result<Option<String>, Fault> {
+    pub fn next(&self, limit: Duration) -> Result<Option<String>, Fault> {
         let started = Instant::now();
         loop {
             // The writer ends early if the program closed its input. An answer may still be on its way.
@@ -141,7 +141,7 @@ fn write_lines(mut stdin: ChildStdin, lines: &Receiver<String>) {
     }
 }
 
-fn read_lines(stdout: ChildStdout, lines: &SyncSender<std::result::Result<String, Fault>>) {
+fn read_lines(stdout: ChildStdout, lines: &SyncSender<Result<String, Fault>>) {
     let mut stdout = BufReader::new(stdout);
     loop {
         let mut line = Vec::new();

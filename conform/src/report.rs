@@ -3,4 +3,6 @@
 mod markdown;
 mod record;
 
-pub use record::Report;
+pub use record::{
+    CaseFault, Counts, CulpritResult, FailingCase, Failure, InvalidResult, Program, QuantityResult, Report,
+};

@@ -29,7 +29,7 @@ pub struct Subject {
     /// Number of starts.
     pub starts: usize,
     /// Its latest answer to `hello`, or what came in place of the first one. Then it is not asked anything.
-    pub hello: std::result::Result<Hello, Fault>,
+    pub hello: Result<Hello, Fault>,
     /// Lines on its standard output other than JSON.
     pub chatter: Chatter,
 }
@@ -46,6 +46,9 @@ pub struct Chatter {
     #[serde(skip)]
     pub last: String,
 }
+
+/// Picks the line that is waited for, or the fault that it shows; `None` to skip a line.
+type Wanted<'a, T> = &'a dyn Fn(AnswerLine) -> Option<Result<T, Fault>>;
 
 /// Where a program prints lines other than JSON. After the first such line the whole time limit applies to the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,7 +84,7 @@ impl Subject {
     ///
     /// # Errors
     /// The fault that came in place of an answer.
-    pub fn ask(&mut self, id: &str, line: String) -> std::result::Result<Answer, Fault> {
+    pub fn ask(&mut self, id: &str, line: String) -> Result<Answer, Fault> {
         if self.running.is_none() {
             if self.starts >= MOST_STARTS {
                 return Err(Fault::NotAsked(format!("the program was started {MOST_STARTS} times")));
@@ -91,7 +94,7 @@ impl Subject {
             self.hello = Ok(hello);
         }
         let limit = self.limit;
-        self.exchange(line, limit, |line| match line {
+        self.exchange(line, limit, &|line| match line {
             AnswerLine::Answer { id: of, answer } if of == id => Some(Ok(answer)),
             AnswerLine::Hello { .. } => Some(Err(Fault::Garbage("a second hello".into()))),
             // A late answer to an earlier question.
@@ -107,12 +110,12 @@ impl Subject {
         process.map_err(|source| Error::Command { command: name.clone(), source })
     }
 
-    fn greet(&mut self, process: Process) -> std::result::Result<Hello, Fault> {
+    fn greet(&mut self, process: Process) -> Result<Hello, Fault> {
         self.running = Some(process);
         // A banner before `hello` does not predict where later lines are printed.
         let chatter_place = self.chatter_place.take();
         let (line, limit) = (self.hello_line.clone(), self.limit.max(START_LIMIT));
-        let hello = self.exchange(line, limit, |line| match line {
+        let hello = self.exchange(line, limit, &|line| match line {
             AnswerLine::Hello { hello } => Some(Ok(hello)),
             AnswerLine::Answer { .. } => Some(Err(Fault::Garbage("an answer before hello".into()))),
             AnswerLine::Chatter(_) => None,
@@ -122,12 +125,7 @@ impl Subject {
     }
 
     /// Sends a line and waits for one that `wanted` accepts. Kills a process that hung.
-    fn exchange<T>(
-        &mut self,
-        line: String,
-        limit: Duration,
-        wanted: impl Fn(AnswerLine) -> Option<std::result::Result<T, Fault>>,
-    ) -> std::result::Result<T, Fault> {
+    fn exchange<T>(&mut self, line: String, limit: Duration, wanted: Wanted<T>) -> Result<T, Fault> {
         let Some(mut process) = self.running.take() else { return Err(Fault::Crash("it is not running".into())) };
         let before = self.chatter.lines;
         let outcome = process.send(line).and_then(|()| self.listen(&process, limit, wanted));
@@ -146,12 +144,7 @@ impl Subject {
     }
 
     /// Waits for a line that `wanted` accepts. Other lines are skipped; if nothing else comes, the first of them is the fault.
-    fn listen<T>(
-        &mut self,
-        process: &Process,
-        limit: Duration,
-        wanted: impl Fn(AnswerLine) -> Option<std::result::Result<T, Fault>>,
-    ) -> std::result::Result<T, Fault> {
+    fn listen<T>(&mut self, process: &Process, limit: Duration, wanted: Wanted<T>) -> Result<T, Fault> {
         let started = Instant::now();
         let (mut deadline, mut first, mut count) = (limit, None, 0);
         loop {

@@ -162,7 +162,7 @@ impl Suite {
         Ok(suite)
     }
 
-    fn add(&mut self, name: &str, text: &str) -> std::result::Result<(), String> {
+    fn add(&mut self, name: &str, text: &str) -> Result<(), String> {
         let mut json: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
         self.versions.insert(name.into(), read(&json["version"], "version")?);
         if name == "invalid.json" {
@@ -179,7 +179,7 @@ impl Suite {
         Ok(())
     }
 
-    fn read_case(&self, file: &str, case: &Value) -> std::result::Result<Case, String> {
+    fn read_case(&self, file: &str, case: &Value) -> Result<Case, String> {
         let stored: BTreeMap<String, Value> = read(&case["values"], "values")?;
         let mut values = BTreeMap::new();
         for (id, stored) in stored {
@@ -203,7 +203,7 @@ fn malformed(file: &str, reason: String) -> Error {
 }
 
 /// Reads a part of a fixture; the error names the part.
-fn read<T: DeserializeOwned>(json: &Value, part: &str) -> std::result::Result<T, String> {
+fn read<T: DeserializeOwned>(json: &Value, part: &str) -> Result<T, String> {
     T::deserialize(json).map_err(|error| format!("{part}: {error}"))
 }
 
@@ -240,7 +240,7 @@ impl Case {
 }
 
 impl Reference {
-    fn read(stored: &Value, per_point: bool) -> std::result::Result<Reference, String> {
+    fn read(stored: &Value, per_point: bool) -> Result<Reference, String> {
         let json = stored["f64"].clone();
         let (mut numbers, mut absolute) = (Vec::new(), Vec::new());
         let shape = flatten(&json, &mut numbers).ok_or("`f64` is no nested list of numbers")?;

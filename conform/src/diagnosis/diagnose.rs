@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use ancf::state::ElementState;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -100,13 +101,9 @@ fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -
     all.extend(layout::of(reference));
     all.extend(copied::of(quantity, case, reference));
     if let State::Element(state) = &case.state {
-        all.extend(angle::of(quantity, state));
-        all.extend(heat::of(quantity, state));
-        all.extend(law::of(quantity, state));
-        all.extend(gradient::of(quantity, state));
-        all.extend(inertia::of(quantity, state));
-        all.extend(integral::of(quantity, state));
-        all.extend(reading::of(quantity, state));
+        type Of = for<'a> fn(&'a str, &'a ElementState) -> Vec<Candidate<'a>>;
+        let all_of: [Of; 7] = [angle::of, heat::of, law::of, gradient::of, inertia::of, integral::of, reading::of];
+        all.extend(all_of.into_iter().flat_map(|of| of(quantity, state)));
     }
     all
 }

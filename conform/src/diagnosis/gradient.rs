@@ -54,7 +54,7 @@ fn I() -> Matrix2<f64> {
 }
 
 /// Candidates for a quantity of (9) to (11) and (21).
-pub(super) fn of<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>> {
+pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     match quantity {
         "9.J" => at_points(
             state,

@@ -24,7 +24,7 @@ fn by_coordinate([i, j, k]: [f64; 3]) -> Vector14 {
 }
 
 /// Candidates with lumped masses.
-pub(super) fn of<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>> {
+pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     if !matches!(quantity, "7.M" | "6.T" | "gravity.Q_w") {
         return Vec::new();
     }

@@ -41,9 +41,9 @@ pub struct Report {
     /// Whether no answer failed, every invalid state that was asked for was refused, and something is implemented.
     pub passes: bool,
     /// The culprit to look at first; null if there is none.
-    pub first_wrong: Option<Culprit>,
+    pub first_wrong: Option<CulpritResult>,
     /// Quantities that are wrong although their inputs are right, inputs before the quantities that use them.
-    pub culprits: Vec<Culprit>,
+    pub culprits: Vec<CulpritResult>,
     /// Quantities without numbers in any case. Whether their equations are wrong is unknown.
     pub silent: Vec<&'static str>,
     /// Wrong quantities with a wrong input.
@@ -79,7 +79,7 @@ pub struct Program {
 /// A quantity that is wrong although its inputs are right.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
-pub struct Culprit {
+pub struct CulpritResult {
     /// The quantity, with the evidence that it is wrong.
     #[serde(flatten)]
     pub blame: blame::Culprit,
@@ -220,12 +220,12 @@ impl Report {
 }
 
 /// Culprits with their diagnoses. One that shows the mistake of an earlier culprit refers to it.
-fn culprits(blame: &Blame, diagnoses: &BTreeMap<&str, Diagnosis>) -> Vec<Culprit> {
-    let mut culprits: Vec<Culprit> = Vec::new();
+fn culprits(blame: &Blame, diagnoses: &BTreeMap<&str, Diagnosis>) -> Vec<CulpritResult> {
+    let mut culprits: Vec<CulpritResult> = Vec::new();
     for culprit in &blame.culprits {
         let diagnosis = diagnoses.get(culprit.quantity).cloned().unwrap_or_default();
         let equation = equation(culprit.quantity);
-        let mut own = Culprit { blame: culprit.clone(), equation, diagnosis, same_as: None };
+        let mut own = CulpritResult { blame: culprit.clone(), equation, diagnosis, same_as: None };
         let same = culprits.iter().find(|other| other.same_as.is_none() && other.shared_mistake(&own).is_some());
         own.same_as = same.map(|other| other.blame.quantity);
         culprits.push(own);
@@ -233,9 +233,9 @@ fn culprits(blame: &Blame, diagnoses: &BTreeMap<&str, Diagnosis>) -> Vec<Culprit
     culprits
 }
 
-impl Culprit {
+impl CulpritResult {
     /// First mistake that explains both culprits.
-    pub(super) fn shared_mistake(&self, other: &Culprit) -> Option<&Mistake> {
+    pub(super) fn shared_mistake(&self, other: &CulpritResult) -> Option<&Mistake> {
         let shared = |mistake: &&Mistake| other.diagnosis.mistakes.contains(mistake) && mistake.what != ZEROS;
         self.diagnosis.mistakes.iter().find(shared)
     }
