@@ -31,6 +31,7 @@ pub struct Process {
     ended: bool,
     questions: Sender<String>,
     writer: JoinHandle<()>,
+    error_reader: JoinHandle<()>,
     lines: Receiver<Result<String, Fault>>,
     last_errors: Arc<Mutex<VecDeque<String>>>,
 }
@@ -57,8 +58,8 @@ impl Process {
         let writer = thread::spawn(move || write_lines(stdin, &to_write));
         thread::spawn(move || read_lines(stdout, &to_tell));
         let kept = Arc::clone(&last_errors);
-        thread::spawn(move || keep_last_lines(stderr, &kept));
-        Ok(Process { child, ended: false, questions, writer, lines, last_errors })
+        let error_reader = thread::spawn(move || keep_last_lines(stderr, &kept));
+        Ok(Process { child, ended: false, questions, writer, error_reader, lines, last_errors })
     }
 
     /// Sends a line to the program.
@@ -100,6 +101,11 @@ impl Process {
             thread::sleep(Duration::from_millis(5));
         }
         self.end();
+        // On a busy machine the last line may not have been read yet.
+        let deadline = Instant::now() + EXIT_TIME;
+        while !self.error_reader.is_finished() && Instant::now() < deadline {
+            thread::sleep(Duration::from_millis(5));
+        }
         let mut report = status.map_or_else(|| how.to_string(), |status| status.to_string());
         let lines = self.last_errors.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(last) = lines.iter().rev().find(|line| !line.trim().is_empty()) {
