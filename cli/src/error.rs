@@ -14,7 +14,7 @@ pub enum Error {
     Study(#[from] ancf_study::error::Error),
     /// A program under test could not be judged.
     #[error(transparent)]
-    Conform(#[from] ancf_conform::error::Error),
+    Conform(#[from] ancf_conform::Error),
     /// A program under test is wrong somewhere.
     #[error("the program does not conform: {summary}")]
     NotConforming {

@@ -13,10 +13,7 @@ use ancf::internals::model::{Scissors, builtin_names, builtin_text};
 use ancf::model::{Model, Scene, ThermalModel};
 use ancf::run::run_estimated;
 use ancf::run::run_with_progress;
-use ancf_conform::equations_text::equations_text;
-use ancf_conform::examiner::{Options, examine};
-use ancf_conform::state_file;
-use ancf_conform::suite::Suite;
+use ancf_conform::{Options, Report, Suite, equations_text, examine, load_state};
 use ancf_study::files::Files;
 use ancf_study::{error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -237,7 +234,7 @@ fn seconds(text: &str) -> std::result::Result<Duration, String> {
 
 /// `ancf equations`.
 fn print_equations(state: &str) -> Result<()> {
-    Ok(print(&equations_text(&state_file::load(state)?))?)
+    Ok(print(&equations_text(&load_state(state)?)?)?)
 }
 
 /// `ancf conform`.
@@ -247,19 +244,15 @@ fn conform(command: &[String], fixtures: Option<&Path>, options: Options, folder
     let bar = ProgressBar::new(100);
     let examination = examine(&suite, command, options, |share| bar.set_position((100.0 * share) as u64));
     bar.finish_and_clear();
-    let examination = examination?;
-    let text = ancf_conform::report::markdown(&suite, &examination);
-    let json = ancf_conform::report::json(&suite, &examination);
-    files.write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &json)?))?;
+    let report = Report::new(&suite, &examination?);
+    let text = report.markdown();
+    // Keys of JSON in alphabetical order.
+    files.write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &serde_json::to_value(&report)?)?))?;
     files.write("conformance.md", |file| file.write_all(text.as_bytes()))?;
     let paths = files.publish()?;
     let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
     print(&format!("{text}\n{written}"))?;
-    if examination.passes() {
-        Ok(())
-    } else {
-        Err(Error::NotConforming { summary: ancf_conform::report::summary(&examination) })
-    }
+    if report.passes { Ok(()) } else { Err(Error::NotConforming { summary: report.summary() }) }
 }
 
 /// `ancf plan`.

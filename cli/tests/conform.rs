@@ -1,6 +1,6 @@
-//! `ancf conform` with programs that do what programs do: hang, crash, talk nonsense.
+//! `ancf conform` with faulty programs: they hang, crash and print nonsense.
 //!
-//! They are shell scripts that answer λ = 0 of (17), which is right where ν = 0.
+//! They are shell scripts that answer λ = 0 for (17), which is right where ν = 0.
 
 #![cfg(unix)]
 
@@ -9,12 +9,9 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
-use ancf_conform::examination::{Examination, Refusal};
-use ancf_conform::examiner::{Options, examine};
-use ancf_conform::graph::GRAPH;
-use ancf_conform::subject::STARTS;
-use ancf_conform::suite::{Reference, Suite};
-use ancf_conform::verdict::{Fault, Verdict};
+use ancf_conform::{
+    Examination, Fault, GRAPH, InvalidOutcome, MOST_STARTS, Options, Reference, Report, Suite, Verdict, examine,
+};
 use serde_json::{Value, json};
 
 const QUANTITY: &str = "17.lambda";
@@ -65,7 +62,7 @@ fn examined(command: &[String], limit: f64) -> Examination {
 }
 
 fn text_of(examination: &Examination) -> String {
-    ancf_conform::report::markdown(&Suite::embedded().unwrap(), examination)
+    Report::new(&Suite::embedded().unwrap(), examination).markdown()
 }
 
 /// The faults of λ, after making sure that all other cases were asked and judged.
@@ -133,11 +130,11 @@ fn a_message_in_place_of_an_answer_is_shown() {
 }
 
 #[test]
-fn messages_beside_answers_are_passed_over_and_told() {
+fn messages_between_answers_are_skipped_and_reported() {
     let examination = always(&format!("echo \"step $n\"; echo; {ANSWER};"), 5.0);
     assert_eq!((faults(&examination), examination.chatter.first.as_str()), (vec![], "step 1"));
     let text = text_of(&examination);
-    assert!(text.contains("on its standard output that are no JSON, the first: `step 1`"), "{text}");
+    assert!(text.contains("on standard output that are not JSON, the first: `step 1`"), "{text}");
     // A slow answer behind a message is waited for.
     assert_eq!(faults(&lambda("", &format!("echo 'computing ...'; sleep 1; {ANSWER}"), 5.0)), []);
 }
@@ -162,35 +159,38 @@ fn a_program_that_never_speaks_json_has_no_kind_of_mistake() {
         text.contains("**It answers no numbers for `17.lambda`: no answer but another line.** The first: "),
         "{text}"
     );
-    assert!(!text.contains("What fits") && !text.contains("known kind"), "{text}");
+    assert!(!text.contains("Explained by") && !text.contains("known mistake"), "{text}");
 }
 
 #[test]
 fn crashes_are_no_evidence_of_a_kind_nor_against_one() {
     // λ = 0, and it ends at the second question.
     let examination = lambda("", "exit 9", 5.0);
-    let finding = &examination.findings[0].1;
-    assert_eq!(finding.without_numbers.iter().collect::<Vec<_>>(), [(&"ended", &1)]);
-    assert_eq!(finding.kinds[0].1, "λ = 0");
+    let diagnosis = &examination.diagnoses[QUANTITY];
+    assert_eq!(diagnosis.without_numbers.iter().collect::<Vec<_>>(), [(&"ended", &1)]);
+    assert_eq!(diagnosis.mistakes[0].what, "λ = 0");
     let text = text_of(&examination);
-    assert!(text.contains("It answers no number in 1 of 25 failing cases: ended in 1. What fits: ν in the"), "{text}");
+    assert!(
+        text.contains("It answers no numbers in 1 of 25 failing cases: ended in 1. Explained by: ν in the"),
+        "{text}"
+    );
 }
 
 #[test]
-fn a_state_that_hangs_where_it_has_to_be_refused_is_told_apart() {
+fn a_hang_at_an_invalid_state_is_reported_separately() {
     let examination = always(&format!("case $line in *'\"nu\":0.5,'*) exec sleep 30 ;; esac; {ANSWER};"), 0.5);
     let text = text_of(&examination);
     for part in [
-        "\nNeither refused nor answered: `poisson-half`, asked for 17.lambda: no answer within 0.5 s; `nu` is wrong",
-        "\nNot refused: `poisson-beyond-half`, asked for 17.lambda: a value was answered; `nu` is wrong",
-        "states that have to be refused 1 got a value. In 1 of",
+        "\nNeither refused nor answered: `poisson-half`, asked for 17.lambda: no answer within 0.5 s; `nu` is invalid",
+        "\nNot refused: `poisson-beyond-half`, asked for 17.lambda: it answered a value; `nu` is invalid",
+        "1 of 26 states that must be refused got a value. 1 of 26 states that must be refused got no answer.",
     ] {
         assert!(text.contains(part), "no {part:?} in:\n{text}");
     }
 }
 
-/// A program that has all its answers ready: to every question of the first round, to what has to be refused, and to what is asked again
-/// with given values where everything that can be is wrong. `answer` is told the quantity, its numbers, and whether it is asked again.
+/// A program with prepared answers to all questions: the first round, the invalid states, and the second round with given values, in which
+/// everything is asked again. `answer` receives the quantity, its reference value, and whether it is the second round.
 fn prepared(given: bool, answer: impl Fn(&str, &Reference, bool) -> Value) -> Examination {
     let suite = Suite::embedded().unwrap();
     let round = |again: bool| {
@@ -252,15 +252,15 @@ fn errors_and_other_shapes_everywhere_are_no_equations_mistakes() {
         ),
         (&|_| json!({"value": []}), ": another shape.** The first:"),
         (&flat, ": another shape.** The first:"),
-        (&strings, "no nested lists of numbers"),
+        (&strings, "not nested lists of numbers"),
     ];
     for (answer, part) in answers {
         let examination = prepared(false, |_, right, _| answer(right));
         let text = text_of(&examination);
         assert_eq!((examination.blame.culprits.len(), examination.blame.silent.len()), (0, GRAPH.len()), "{text}");
-        assert!(examination.findings.is_empty() && examination.alike().is_empty() && !examination.passes());
+        assert!(examination.diagnoses.is_empty() && !examination.passes());
         assert!(text.contains("**It answers no numbers for any of 68 quantities: ") && text.contains(part), "{text}");
-        assert!(!text.contains("What fits") && !text.contains("wrong equation"), "{text}");
+        assert!(!text.contains("Explained by") && !text.contains("wrong equation"), "{text}");
     }
 }
 
@@ -274,9 +274,9 @@ fn another_shape_of_one_quantity_excuses_no_other() {
     let text = text_of(&examination);
     for part in [
         "**It answers no numbers for `20.K`: another shape.** The first: ",
-        "196; expected 14 × 14. Whether its equation is wrong is not known.",
+        "196; expected 14 × 14. Whether its equation is wrong is unknown.",
         "**First wrong equation: (19), `19.Q_e`.**",
-        "so that the mistake may be there: 20.K.",
+        "so the mistake may be there: 20.K.",
     ] {
         assert!(text.contains(part), "no {part:?} in:\n{text}");
     }
@@ -314,17 +314,16 @@ fn a_hundred_messages_before_an_answer_are_passed_over() {
 }
 
 #[test]
-fn names_in_hello_that_nobody_asks_for_are_told() {
+fn unknown_names_in_hello_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let command = script(folder.path(), "\"17.lambda\",\"1.R\",\"99.zz\"", "", ANSWER);
     let examination = examined(&command, 10.0);
     let text = text_of(&examination);
-    assert!(text.contains("Its hello lists what is not asked for: `1.R`, `99.zz`."), "{text}");
-    let report = ancf_conform::report::json(&Suite::embedded().unwrap(), &examination);
-    assert_eq!(report["program"]["unknown"], json!(["1.R", "99.zz"]));
+    assert!(text.contains("Its hello lists names that are not asked for: `1.R`, `99.zz`."), "{text}");
+    assert_eq!(Report::new(&Suite::embedded().unwrap(), &examination).program.unknown, ["1.R", "99.zz"]);
     let command = ["sh", "-c", "echo '{\"hello\": 5}'; cat"].map(String::from);
-    let Err(Fault::Garbage(told)) = examined(&command, 10.0).hello else { panic!() };
-    assert!(told.contains("`hello` has to be an object"), "{told}");
+    let Err(Fault::Garbage(message)) = examined(&command, 10.0).hello else { panic!() };
+    assert!(message.contains("`hello` must be an object"), "{message}");
 }
 
 #[test]
@@ -346,26 +345,26 @@ fn a_program_that_closes_its_input_is_noticed() {
     let started = Instant::now();
     let examination = lambda("", &format!("exec <&-; {ANSWER}; exec sleep 20"), 10.0);
     let faults = faults(&examination);
-    assert!(matches!(&faults[..], [Fault::Crash(how)] if how.contains("does not read")), "{faults:?}");
+    assert!(matches!(&faults[..], [Fault::Crash(how)] if how.contains("no longer reads")), "{faults:?}");
     assert!(started.elapsed() < Duration::from_secs(8), "{:?}", started.elapsed());
 }
 
 #[test]
 fn a_program_that_always_crashes_is_given_up() {
     let folder = tempfile::tempdir().unwrap();
-    let all: Vec<String> = ancf_conform::graph::GRAPH.iter().map(|node| format!("\"{}\"", node.quantity)).collect();
+    let all: Vec<String> = GRAPH.iter().map(|node| format!("\"{}\"", node.quantity)).collect();
     let command = script(folder.path(), &all.join(","), "", ":");
     fs::write(&command[1], fs::read_to_string(&command[1]).unwrap().replace("n=$((n+1))", "exit 1")).unwrap();
     let options = Options { time_limit: Duration::from_secs(5), given: true };
     let examination = examine(&Suite::embedded().unwrap(), &command, options, |_| {}).unwrap();
-    assert_eq!(examination.starts, STARTS);
+    assert_eq!(examination.starts, MOST_STARTS);
     let verdicts: Vec<&Verdict> =
         examination.verdicts.iter().flat_map(|(_, cases)| cases.iter().map(|c| &c.1)).collect();
     assert!(verdicts.iter().all(|verdict| verdict.fails()));
     let given_up = |why: &str| {
         verdicts.iter().any(|v| matches!(v, Verdict::Fault(Fault::NotAsked(reason)) if reason.contains(why)))
     };
-    assert!(given_up("3 times before") && given_up(&format!("started {STARTS} times")));
+    assert!(given_up("3 times before") && given_up(&format!("started {MOST_STARTS} times")));
     let text = text_of(&examination);
     for part in ["`4.nodes`, ", ": ended.** The first: ", ": not asked any more.** The first: "] {
         assert!(text.contains(part), "no {part:?} in:\n{text}");
@@ -373,16 +372,16 @@ fn a_program_that_always_crashes_is_given_up() {
 }
 
 #[test]
-fn states_that_have_to_be_refused_are_asked_for_and_told() {
+fn invalid_states_are_asked_for_and_reported() {
     let examination = lambda("", ANSWER, 10.0);
-    let outcomes: Vec<&Refusal> = examination.refusals.iter().map(|(_, refusal)| refusal).collect();
     let suite = Suite::embedded().unwrap();
-    for (invalid, outcome) in suite.invalid.iter().zip(outcomes) {
-        let expected = if invalid.equation == QUANTITY { Refusal::Accepted } else { Refusal::NotImplemented };
-        assert_eq!(*outcome, expected, "{}", invalid.id);
+    for (invalid, verdict) in suite.invalid.iter().zip(&examination.invalid) {
+        let asked = invalid.equation == QUANTITY;
+        let expected = if asked { InvalidOutcome::Accepted } else { InvalidOutcome::NotImplemented };
+        assert_eq!(verdict.outcome, expected, "{}", invalid.id);
     }
-    let text = ancf_conform::report::markdown(&suite, &examination);
-    assert!(text.contains("Not refused: `poisson-half`, asked for 17.lambda: a value was answered"), "{text}");
+    let text = text_of(&examination);
+    assert!(text.contains("Not refused: `poisson-half`, asked for 17.lambda: it answered a value"), "{text}");
 }
 
 fn ancf(folder: &Path, arguments: &[&str]) -> Output {
@@ -402,9 +401,9 @@ fn the_command_writes_a_report_and_ends_with_1() {
         "## Conformance of fake",
         "**First wrong equation: (17), `17.lambda`.** It depends on the state alone.",
         "ν in the wrong place (λ = 0)",
-        "**Wrong by itself too: (17), `17.mu`.**",
+        "**Also wrong by itself: (17), `17.mu`.**",
         "Only in states tagged nu.",
-        "| 17.lambda | **fail** | 12 / 36 | 0.7 | `rest-vertical`: 0e0 where 1.5e3 is right |",
+        "| 17.lambda | **fail** | 12 / 36 | 0.7 | `rest-vertical`: 0e0, expected 1.5e3 |",
         "| 1.r | not implemented | – | – |  |",
     ] {
         assert!(text.contains(part), "no {part:?} in:\n{text}");
@@ -443,7 +442,7 @@ fn a_program_without_hello_gets_a_report_in_which_everything_fails() {
     for (arguments, part) in [
         (
             &["conform", "--", "sh", &exits][..],
-            "did not answer hello: the program ended: exit status: 4; its last words: no licence",
+            "did not answer hello: the program ended: exit status: 4; last line of standard error: no licence",
         ),
         (
             &["conform", "--", "echo", "good morning"],

@@ -9,7 +9,7 @@ use std::process::{Command, Output};
 use ancf::equations::CONTENTS;
 use ancf::error::Error;
 use ancf::state::{CableState, ElementState};
-use ancf_conform::suite::{Parsed, Suite};
+use ancf_conform::{State, Suite};
 use serde_json::{Value, json};
 
 fn ancf(folder: &Path, state: &str) -> Output {
@@ -21,7 +21,7 @@ fn every_quantity_of_a_state_is_printed() {
     let folder = tempfile::tempdir().unwrap();
     let suite = Suite::embedded().unwrap();
     let case = suite.cases.iter().find(|case| case.id == "bending-inclined-1d").unwrap();
-    fs::write(folder.path().join("mine.json"), case.state.to_string()).unwrap();
+    fs::write(folder.path().join("mine.json"), case.state_json.to_string()).unwrap();
     let output = ancf(folder.path(), "mine.json");
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -35,7 +35,7 @@ fn every_quantity_of_a_state_is_printed() {
     let U = case.values["18.U"].numbers[0];
     assert!(text.contains(&format!("(18) 18.U  force::U  [consistent]\n  {:>17}\n", format!("{U:.9e}"))), "{text}");
     let places = text.split("\n(13) 13.epsilon_1").nth(1).unwrap();
-    let [x, y] = [0, 1].map(|n| case.state["points"][0][n].as_f64().unwrap());
+    let [x, y] = [0, 1].map(|n| case.state_json["points"][0][n].as_f64().unwrap());
     let epsilon_1 = case.values["13.epsilon_1"].numbers[0];
     let expected = format!("  strain::eps_1\n  at ({x}, {y})\n  {:>17}\n", format!("{epsilon_1:.9e}"));
     assert!(places.starts_with(&expected), "{expected}\n{places:.300}");
@@ -54,8 +54,8 @@ fn what_no_element_can_be_is_refused_by_its_key() {
         let Error::Scene { key, .. } = &error else { panic!("{}: {error}", invalid.id) };
         assert!(key.starts_with(&invalid.key), "{}: {error}", invalid.id);
     }
-    for case in suite.cases.iter().filter(|case| case.state.get("l").is_some() && !case.id.starts_with("cable-")) {
-        ElementState::parse(&case.state.to_string(), &case.id).unwrap();
+    for case in suite.cases.iter().filter(|case| case.state_json.get("l").is_some() && !case.id.starts_with("cable-")) {
+        ElementState::parse(&case.state_json.to_string(), &case.id).unwrap();
     }
 }
 
@@ -63,7 +63,7 @@ fn what_no_element_can_be_is_refused_by_its_key() {
 fn messages_name_file_place_key_value_and_what_is_allowed() {
     let folder = tempfile::tempdir().unwrap();
     let suite = Suite::embedded().unwrap();
-    let right = &suite.cases[0].state;
+    let right = &suite.cases[0].state_json;
     let with = |key: &str, value: Value| {
         let mut state = right.clone();
         state[key] = value;
@@ -103,11 +103,11 @@ fn messages_name_file_place_key_value_and_what_is_allowed() {
 fn stored_states_of_cables_and_structures_are_printed_too() {
     let folder = tempfile::tempdir().unwrap();
     let suite = Suite::embedded().unwrap();
-    for case in suite.cases.iter().filter(|case| !matches!(case.parsed, Parsed::Element(_))).step_by(5) {
+    for case in suite.cases.iter().filter(|case| !matches!(case.state, State::Element(_))).step_by(5) {
         let output = ancf(folder.path(), &case.id);
         let text = String::from_utf8(output.stdout).unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let of_a_cable = matches!(case.parsed, Parsed::Cable(_));
+        let of_a_cable = matches!(case.state, State::Cable(_));
         for entry in CONTENTS.iter().filter(|entry| entry.is_of_a_cable() || entry.is_of_a_structure()) {
             let head = format!("{}  {}", entry.quantity, entry.function);
             assert_eq!(text.contains(&head), entry.is_of_a_cable() == of_a_cable, "{}: {head}", case.id);
@@ -117,7 +117,7 @@ fn stored_states_of_cables_and_structures_are_printed_too() {
         let digits = if value == 0.0 { "0".into() } else { format!("{value:.9e}") };
         assert!(text.contains(&digits), "{}: no {digits} in\n{text}", case.id);
         if of_a_cable {
-            fs::write(folder.path().join("mine.json"), case.state.to_string()).unwrap();
+            fs::write(folder.path().join("mine.json"), case.state_json.to_string()).unwrap();
             assert_eq!(String::from_utf8(ancf(folder.path(), "mine.json").stdout).unwrap(), text);
         }
     }
@@ -128,9 +128,9 @@ fn what_no_cable_element_can_be_is_refused_by_its_key() {
     let suite = Suite::embedded().unwrap();
     let mut of_cables = suite.cases.iter().filter(|case| case.id.starts_with("cable-"));
     for case in of_cables.clone() {
-        CableState::parse(&case.state.to_string(), &case.id).unwrap();
+        CableState::parse(&case.state_json.to_string(), &case.id).unwrap();
     }
-    let right = &of_cables.next_back().unwrap().state;
+    let right = &of_cables.next_back().unwrap().state_json;
     let mut slope_off = right["e0"].clone();
     slope_off[2] = json!(slope_off[2].as_f64().unwrap() + 0.5);
     for (key, value, refused) in [

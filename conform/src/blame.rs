@@ -1,104 +1,110 @@
-//! Which equation is wrong, and which only pass a mistake on.
+//! Blame: which wrong quantities are wrong by themselves, and which inherit the mistake of an input.
 
 use std::collections::BTreeMap;
 
-use super::graph::{GRAPH, Node, find};
+use schemars::JsonSchema;
+use serde::Serialize;
 
-/// How a program did with one quantity.
+use crate::graph::{GRAPH, Node, find};
+
+/// Status of a quantity over all its cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Standing {
+pub enum Status {
     /// Right in every case.
     Right,
-    /// Not implemented, or not asked.
+    /// Not implemented or not asked.
     Unknown,
-    /// No numbers in any case, with the reference's inputs neither: nothing is known of its equation.
+    /// Without numbers in any case, even with reference inputs. Whether the equation is wrong is unknown.
     Silent,
     /// Wrong in some case.
     Wrong {
-        /// Whether there are wrong numbers, and not only cases without numbers.
+        /// Whether some answers are wrong numbers. Otherwise some cases only lack numbers.
         numbers: bool,
-        /// What became of the failing cases when the reference's inputs were handed over.
+        /// Effect of reference inputs on the failing cases.
         with_given: WithGiven,
     },
 }
 
-/// What the reference's intermediate values change.
+/// Effect of reference inputs, sent as `given`, on the failing cases of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WithGiven {
-    /// The program does not take them, or there are none.
+    /// None were sent: the program does not accept them, or the quantity has none.
     NotTried,
-    /// Every failing case was asked again, and is right then.
+    /// All failing cases become right.
     Right,
-    /// What was asked again is right then; other failing cases, which hung, crashed or had another line for an answer, were not.
+    /// All failing cases that were asked again become right. Others hung, crashed or printed another line and were not asked again.
     Partly {
-        /// Failing cases that are right then.
+        /// Number of failing cases that become right.
         cured: usize,
-        /// Failing cases that are not known.
+        /// Number of failing cases that were not asked again.
         unasked: usize,
     },
-    /// Wrong all the same, but not in the same way: they were used.
+    /// Some cases stay wrong, with other numbers: the program used the inputs.
     Wrong,
-    /// The very same wrong numbers: they were not used, or do not matter.
+    /// All answers stay equal: the program did not use the inputs, or they do not matter.
     Same,
 }
 
-/// A quantity that is wrong by itself, and how that is known.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A quantity that is wrong by itself, with the evidence.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Culprit {
-    /// Its name.
+    /// Name of the quantity.
     pub quantity: &'static str,
-    /// Whether it answers wrong numbers; otherwise it is right wherever there are any.
+    /// Whether some answers are wrong numbers. Otherwise some cases only lack numbers.
+    #[serde(skip)]
     pub numbers: bool,
-    /// How it is known.
+    /// Evidence that the quantity itself is wrong.
     pub because: String,
 }
 
-/// The wrong quantities, told apart.
+/// A wrong quantity with a wrong input.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Follower {
+    /// Name of the quantity.
+    pub quantity: &'static str,
+    /// Name of its wrong input.
+    pub from: &'static str,
+}
+
+/// All wrong quantities: culprits, followers, and those without numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Blame {
-    /// Wrong although their inputs are right; the first of them comes first.
+    /// Quantities that are wrong although their inputs are right, inputs first.
     pub culprits: Vec<Culprit>,
-    /// Wrong, but an input is too: the quantity and that input.
-    pub follow: Vec<(&'static str, &'static str)>,
-    /// Without numbers in any case.
+    /// Wrong quantities with a wrong input.
+    pub follow: Vec<Follower>,
+    /// Quantities without numbers in any case.
     pub silent: Vec<&'static str>,
 }
 
-impl Blame {
-    /// The place of the first culprit with wrong numbers; if there is none, of the first one.
-    pub fn first_wrong(&self) -> Option<usize> {
-        let wrong = self.culprits.iter().position(|culprit| culprit.numbers);
-        wrong.or((!self.culprits.is_empty()).then_some(0))
-    }
-}
-
-/// Walks the graph from the inputs on.
-pub fn blame(standings: &BTreeMap<&str, Standing>) -> Blame {
+/// Separates culprits from followers, from the inputs on.
+pub fn blame(statuses: &BTreeMap<&str, Status>) -> Blame {
     let mut blame = Blame::default();
     for node in GRAPH {
-        let (numbers, with_given) = match standings.get(node.quantity) {
-            Some(Standing::Wrong { numbers, with_given }) => (*numbers, *with_given),
-            Some(Standing::Silent) => {
+        let (numbers, with_given) = match statuses.get(node.quantity) {
+            Some(Status::Wrong { numbers, with_given }) => (*numbers, *with_given),
+            Some(Status::Silent) => {
                 blame.silent.push(node.quantity);
                 continue;
             }
-            Some(Standing::Right | Standing::Unknown) | None => continue,
+            Some(Status::Right | Status::Unknown) | None => continue,
         };
-        // That an input has no numbers does not explain wrong ones, but for who is right with the reference's.
+        // An input without numbers does not explain wrong numbers, unless they are right with reference inputs.
         let faults_count = !numbers || with_given == WithGiven::Right;
-        let wrong_inner = node.inner.iter().find_map(|input| wrong_at_or_before(input, standings, faults_count));
-        let wrong_given = node.given.iter().find_map(|input| wrong_at_or_before(input, standings, faults_count));
+        let wrong_inner = node.inner.iter().find_map(|input| wrong_at_or_before(input, statuses, faults_count));
+        let wrong_given = node.given.iter().find_map(|input| wrong_at_or_before(input, statuses, faults_count));
         let used = matches!(with_given, WithGiven::Right | WithGiven::Wrong);
-        // What was handed over and used excuses nothing any more.
+        // Reference inputs that were used are no excuse.
         let excuse = match (wrong_inner, wrong_given, with_given) {
             (Some(input), _, _) => Some(input),
             (None, Some(_), WithGiven::Wrong) => None,
             (None, input, _) => input,
         };
         match excuse {
-            Some(input) => blame.follow.push((node.quantity, input)),
+            Some(from) => blame.follow.push(Follower { quantity: node.quantity, from }),
             None => {
-                let because = reason(node, used, with_given, standings);
+                let because = reason(node, used, with_given, statuses);
                 blame.culprits.push(Culprit { quantity: node.quantity, numbers, because });
             }
         }
@@ -106,52 +112,47 @@ pub fn blame(standings: &BTreeMap<&str, Standing>) -> Blame {
     blame
 }
 
-/// The quantity itself if it is wrong; if nobody knows, the first wrong one among what it is computed from. Whether one counts as wrong
-/// that has no wrong numbers but cases without numbers is up to `faults_count`.
-fn wrong_at_or_before(
-    quantity: &str,
-    standings: &BTreeMap<&str, Standing>,
-    faults_count: bool,
-) -> Option<&'static str> {
+/// The quantity itself if it is wrong. If its status is unknown: the first wrong one among its inputs, and theirs. With `faults_count` a
+/// quantity counts as wrong if it lacks numbers in some case.
+fn wrong_at_or_before(quantity: &str, statuses: &BTreeMap<&str, Status>, faults_count: bool) -> Option<&'static str> {
     let node = find(quantity)?;
-    match standings.get(quantity) {
-        Some(Standing::Wrong { numbers: true, .. }) => Some(node.quantity),
-        Some(Standing::Wrong { numbers: false, .. } | Standing::Silent) if faults_count => Some(node.quantity),
-        Some(Standing::Right) => None,
-        _ => node.inputs().find_map(|input| wrong_at_or_before(input, standings, faults_count)),
+    match statuses.get(quantity) {
+        Some(Status::Wrong { numbers: true, .. }) => Some(node.quantity),
+        Some(Status::Wrong { numbers: false, .. } | Status::Silent) if faults_count => Some(node.quantity),
+        Some(Status::Right) => None,
+        _ => node.inputs().find_map(|input| wrong_at_or_before(input, statuses, faults_count)),
     }
 }
 
-/// How it is known that the node itself is wrong.
-fn reason(node: &Node, used: bool, with_given: WithGiven, standings: &BTreeMap<&str, Standing>) -> String {
-    let stand = |input: &&str| standings.get(input).copied().unwrap_or(Standing::Unknown);
-    let known: Vec<&str> = node.inputs().filter(|input| stand(input) == Standing::Right).collect();
-    let unknown: Vec<&str> = node.inputs().filter(|input| stand(input) == Standing::Unknown).collect();
-    let without_numbers =
-        |input: &&str| matches!(stand(input), Standing::Silent | Standing::Wrong { numbers: false, .. });
-    let faulty: Vec<&str> = node.inputs().filter(without_numbers).collect();
-    let handed_over = node.given.join(", ");
+/// Evidence that the node itself is wrong.
+fn reason(node: &Node, used: bool, with_given: WithGiven, statuses: &BTreeMap<&str, Status>) -> String {
+    let status = |input: &str| statuses.get(input).copied().unwrap_or(Status::Unknown);
+    let list =
+        |wanted: fn(Status) -> bool| node.inputs().filter(|input| wanted(status(input))).collect::<Vec<_>>().join(", ");
+    let right = list(|status| status == Status::Right);
+    let unknown = list(|status| status == Status::Unknown);
+    let faulty = list(|status| matches!(status, Status::Silent | Status::Wrong { numbers: false, .. }));
+    let given = node.given.join(", ");
     let mut reason = match with_given {
-        WithGiven::Right => format!("right with the reference's {handed_over}: inside it uses others than it answers"),
-        WithGiven::Wrong => format!("wrong with the reference's {handed_over} too"),
-        WithGiven::Partly { cured: 1.., .. } => {
-            format!(
-                "right with the reference's {handed_over}, as far as it could be asked again: inside it uses others than it answers"
-            )
+        WithGiven::Right => {
+            format!("right with the reference's {given}: it uses other values internally than it answers")
         }
+        WithGiven::Wrong => format!("wrong even with the reference's {given}"),
+        WithGiven::Partly { cured: 1.., .. } => format!(
+            "right with the reference's {given} where it could be asked again: it uses other values internally than it answers"
+        ),
         _ if node.inputs().next().is_none() => "it depends on the state alone".into(),
-        _ if known.is_empty() => "nothing that it is computed from is known to be wrong".into(),
-        _ => format!("what it is computed from is right: {}", known.join(", ")),
+        _ if right.is_empty() => "none of its inputs is known to be wrong".into(),
+        _ => format!("its inputs are right: {right}"),
     };
     if !used && !unknown.is_empty() {
-        reason += &format!("; not implemented, so that the mistake may be there: {}", unknown.join(", "));
+        reason += &format!("; not implemented, so the mistake may be there: {unknown}");
     }
     if !used && !faulty.is_empty() {
-        reason += &format!("; no numbers, or not everywhere, so that the mistake may be there: {}", faulty.join(", "));
+        reason += &format!("; without numbers in some or all cases, so the mistake may be there: {faulty}");
     }
     if let WithGiven::Partly { unasked, .. } = with_given {
-        reason +=
-            &format!("; in {unasked} failing case(s) it could not be asked again with the reference's {handed_over}");
+        reason += &format!("; {unasked} failing case(s) could not be asked again with the reference's {given}");
     }
     reason
 }
@@ -160,15 +161,19 @@ fn reason(node: &Node, used: bool, with_given: WithGiven, standings: &BTreeMap<&
 mod tests {
     use super::*;
 
-    const WRONG: Standing = wrong(WithGiven::NotTried);
+    const WRONG: Status = wrong(WithGiven::NotTried);
 
-    const fn wrong(with_given: WithGiven) -> Standing {
-        Standing::Wrong { numbers: true, with_given }
+    const fn wrong(with_given: WithGiven) -> Status {
+        Status::Wrong { numbers: true, with_given }
     }
 
-    fn standings(wrong: &[(&'static str, Standing)]) -> BTreeMap<&'static str, Standing> {
-        let right = GRAPH.iter().map(|node| (node.quantity, Standing::Right));
+    fn statuses(wrong: &[(&'static str, Status)]) -> BTreeMap<&'static str, Status> {
+        let right = GRAPH.iter().map(|node| (node.quantity, Status::Right));
         right.chain(wrong.iter().copied()).collect()
+    }
+
+    fn follow(blame: &Blame) -> Vec<(&str, &str)> {
+        blame.follow.iter().map(|follower| (follower.quantity, follower.from)).collect()
     }
 
     fn culprits(blame: &Blame) -> Vec<&str> {
@@ -177,46 +182,45 @@ mod tests {
 
     #[test]
     fn a_program_without_mistakes_has_nothing_to_blame() {
-        assert_eq!(blame(&standings(&[])), Blame::default());
+        assert_eq!(blame(&statuses(&[])), Blame::default());
     }
 
     #[test]
-    fn the_first_wrong_one_is_to_blame_and_the_others_follow() {
-        let blame =
-            blame(&standings(&[("11.S_a", WRONG), ("13.epsilon_1", WRONG), ("21.K_1", WRONG), ("20.K", WRONG)]));
+    fn the_first_wrong_quantity_is_the_culprit_and_the_others_follow() {
+        let blame = blame(&statuses(&[("11.S_a", WRONG), ("13.epsilon_1", WRONG), ("21.K_1", WRONG), ("20.K", WRONG)]));
         assert_eq!(culprits(&blame), ["11.S_a"]);
-        assert_eq!(blame.follow, [("13.epsilon_1", "11.S_a"), ("21.K_1", "11.S_a"), ("20.K", "21.K_1")]);
+        assert_eq!(follow(&blame), [("13.epsilon_1", "11.S_a"), ("21.K_1", "11.S_a"), ("20.K", "21.K_1")]);
         assert!(blame.culprits[0].because.contains("3.S_x"), "{blame:?}");
     }
 
     #[test]
-    fn what_is_handed_over_shows_a_second_mistake() {
+    fn given_values_reveal_a_second_mistake() {
         let still = wrong(WithGiven::Wrong);
         let cured = wrong(WithGiven::Right);
-        let blame = blame(&standings(&[("9.J", WRONG), ("10.epsilon_m", still), ("17.mu", WRONG), ("16.D", cured)]));
+        let blame = blame(&statuses(&[("9.J", WRONG), ("10.epsilon_m", still), ("17.mu", WRONG), ("16.D", cured)]));
         assert_eq!(culprits(&blame), ["9.J", "10.epsilon_m", "17.mu"]);
-        assert_eq!(blame.follow, [("16.D", "17.mu")]);
+        assert_eq!(follow(&blame), [("16.D", "17.mu")]);
     }
 
     #[test]
-    fn values_that_are_not_used_excuse_as_before() {
+    fn given_values_that_are_not_used_remain_an_excuse() {
         let same = wrong(WithGiven::Same);
-        let blame = blame(&standings(&[("7.M", WRONG), ("6.T", same)]));
+        let blame = blame(&statuses(&[("7.M", WRONG), ("6.T", same)]));
         assert_eq!(culprits(&blame), ["7.M"]);
     }
 
     #[test]
     fn a_quadrature_is_not_blamed_for_what_it_integrates() {
         let still = wrong(WithGiven::Wrong);
-        let blame = blame(&standings(&[("11.S_c", WRONG), ("21.K_3", still)]));
+        let blame = blame(&statuses(&[("11.S_c", WRONG), ("21.K_3", still)]));
         assert_eq!(culprits(&blame), ["11.S_c"]);
     }
 
     #[test]
-    fn one_looks_through_what_is_not_implemented() {
+    fn inputs_that_are_not_implemented_are_looked_through() {
         let unknown =
-            ["20.K", "21.K_1", "21.K_2", "21.K_3", "21.S_c1", "21.S_a1", "21.S_b1"].map(|q| (q, Standing::Unknown));
-        let with = |wrong: &[(&'static str, Standing)]| blame(&standings(&[&unknown[..], wrong].concat()));
+            ["20.K", "21.K_1", "21.K_2", "21.K_3", "21.S_c1", "21.S_a1", "21.S_b1"].map(|q| (q, Status::Unknown));
+        let with = |wrong: &[(&'static str, Status)]| blame(&statuses(&[&unknown[..], wrong].concat()));
         assert_eq!(culprits(&with(&[("11.S_c", WRONG), ("19.Q_e", WRONG)])), ["11.S_c"]);
         let alone = with(&[("19.Q_e", WRONG)]);
         assert_eq!(culprits(&alone), ["19.Q_e"]);
@@ -224,40 +228,40 @@ mod tests {
     }
 
     #[test]
-    fn right_only_with_the_references_inputs_although_its_own_are_right() {
+    fn a_quantity_that_is_right_only_with_given_values_is_a_culprit() {
         let cured = wrong(WithGiven::Right);
-        let blame = blame(&standings(&[("19.Q_e", cured)]));
+        let blame = blame(&statuses(&[("19.Q_e", cured)]));
         assert_eq!(culprits(&blame), ["19.Q_e"]);
-        assert!(blame.culprits[0].because.contains("inside it uses others"), "{blame:?}");
+        assert!(blame.culprits[0].because.contains("it uses other values internally"), "{blame:?}");
     }
 
     #[test]
-    fn who_answers_no_numbers_has_no_wrong_equation_and_excuses_none() {
-        let silent = blame(&standings(&[("11.S_a", Standing::Silent), ("13.epsilon_1", WRONG)]));
+    fn a_quantity_without_numbers_is_no_culprit_and_no_excuse() {
+        let silent = blame(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", WRONG)]));
         assert_eq!((silent.silent.as_slice(), culprits(&silent)), (&["11.S_a"][..], vec!["13.epsilon_1"]));
         assert!(silent.culprits[0].because.ends_with("may be there: 11.S_a"), "{silent:?}");
-        let faulty = Standing::Wrong { numbers: false, with_given: WithGiven::NotTried };
+        let faulty = Status::Wrong { numbers: false, with_given: WithGiven::NotTried };
         assert_eq!(
-            culprits(&blame(&standings(&[("11.S_a", faulty), ("13.epsilon_1", WRONG)]))),
+            culprits(&blame(&statuses(&[("11.S_a", faulty), ("13.epsilon_1", WRONG)]))),
             ["11.S_a", "13.epsilon_1"]
         );
-        // Faults explain faults, and what is right with the reference's values.
+        // Faults explain faults, and quantities that are right with given values.
         for follower in [faulty, wrong(WithGiven::Right)] {
-            let found = blame(&standings(&[("11.S_a", Standing::Silent), ("13.epsilon_1", follower)]));
-            assert_eq!((culprits(&found), &found.follow), (vec![], &vec![("13.epsilon_1", "11.S_a")]));
+            let found = blame(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", follower)]));
+            assert_eq!((culprits(&found), follow(&found)), (vec![], vec![("13.epsilon_1", "11.S_a")]));
         }
     }
 
     #[test]
-    fn what_could_not_be_asked_again_is_not_called_right() {
+    fn cases_that_could_not_be_asked_again_are_counted() {
         let because = |cured| {
-            let found = blame(&standings(&[("19.Q_e", wrong(WithGiven::Partly { cured, unasked: 3 }))]));
+            let found = blame(&statuses(&[("19.Q_e", wrong(WithGiven::Partly { cured, unasked: 3 }))]));
             found.culprits[0].because.clone()
         };
         assert_eq!(
             because(0),
-            "what it is computed from is right: 20.K; in 3 failing case(s) it could not be asked again with the reference's 20.K"
+            "its inputs are right: 20.K; 3 failing case(s) could not be asked again with the reference's 20.K"
         );
-        assert!(because(2).starts_with("right with the reference's 20.K, as far as it could be asked again"));
+        assert!(because(2).starts_with("right with the reference's 20.K where it could be asked again"));
     }
 }

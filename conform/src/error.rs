@@ -1,48 +1,48 @@
-//! What can go wrong before another program can be judged.
+//! Input errors of the kit.
 
 use std::path::PathBuf;
 
-/// Result with this crate's [`Error`].
-pub type Result<T> = std::result::Result<T, Error>;
+/// Result, with this crate's [`Error`] unless another is named.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// Everything that can go wrong before another program can be judged. All of it is bad input.
+/// Error that prevents an examination or a listing. All of them are bad input.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// A file could not be read.
+    /// A file cannot be read.
     #[error("cannot read {path}: {source}")]
     Read {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// The system's reason.
+        /// Reason that the system gives.
         source: std::io::Error,
     },
-    /// A state holds something that is not allowed there.
+    /// A state is invalid.
     #[error(transparent)]
     State(#[from] ancf::error::Error),
-    /// Fixtures that another program is to be compared with are not what this program expects.
+    /// A fixture file is malformed.
     #[error("the fixtures cannot be used: {file}: {reason}")]
     Suite {
-        /// The file.
+        /// Name of the file.
         file: String,
-        /// What is wrong with it.
+        /// Its first fault.
         reason: String,
     },
-    /// A program that is to be tested cannot be started.
-    #[error("cannot start the command `{command}`: {source}; allowed: a program and its arguments behind `--`")]
+    /// The program under test cannot be started.
+    #[error("cannot start the command `{command}`: {source}; allowed: a program and its arguments after `--`")]
     Command {
-        /// Its name.
+        /// Name of the program.
         command: String,
-        /// The system's reason.
+        /// Reason that the system gives.
         source: std::io::Error,
     },
-    /// A state that is neither a file nor stored.
+    /// A state is neither a file nor stored.
     #[error("cannot read {name}: there is no such file, and no stored state of that name{nearest}; stored are {known}")]
     NoState {
-        /// What was asked for.
+        /// Name that was given.
         name: String,
-        /// The name that is most like it, in words.
+        /// Nearest stored name as a phrase; empty if none is near.
         nearest: String,
-        /// The stored names.
+        /// Names of all stored states.
         known: String,
     },
 }

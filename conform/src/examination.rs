@@ -1,123 +1,92 @@
-//! All that was found out about a program.
+//! The results of an examination.
 
 use std::collections::BTreeMap;
 
-use super::blame::Blame;
-use super::diagnosis::{Finding, Name};
-use super::protocol::Hello;
-use super::subject::Chatter;
-use super::verdict::{Fault, Verdict};
+use schemars::JsonSchema;
+use serde::Serialize;
 
-/// What is done wrong where zeros are answered everywhere: that says nothing of a cause.
-const ZEROS: &str = "all of it missing";
+use crate::blame::Blame;
+use crate::diagnosis::Diagnosis;
+use crate::protocol::Hello;
+use crate::subject::Chatter;
+use crate::verdict::{Fault, Verdict};
 
-/// All that was found out about a program.
+/// Index of a case in [`Suite::cases`](crate::Suite::cases), and the verdict on the answer in it.
+pub type CaseVerdict = (usize, Verdict);
+
+/// All results of an examination.
 #[derive(Debug)]
 pub struct Examination {
-    /// How it was started.
+    /// Command that started the program.
     pub command: String,
-    /// What it says of itself; what came in place of that, after which it was not asked.
-    pub hello: std::result::Result<Hello, Fault>,
-    /// What it printed beside its answers.
+    /// The program's answer to `hello`, or the fault that came in its place. After a fault nothing was asked.
+    pub hello: Result<Hello, Fault>,
+    /// Lines on the program's standard output that are not JSON objects.
     pub chatter: Chatter,
-    /// Verdicts by quantity and case, in the order of asking.
-    pub verdicts: Vec<(&'static str, Vec<(usize, Verdict)>)>,
-    /// What became of the states that have to be refused, by their place in the suite.
-    pub refusals: Vec<(usize, Refusal)>,
-    /// Which equation is wrong.
+    /// Verdicts by quantity and case, in the order of the questions.
+    pub verdicts: Vec<(&'static str, Vec<CaseVerdict>)>,
+    /// Verdicts on the states that must be refused, in the order of [`Suite::invalid`](crate::Suite::invalid).
+    pub invalid: Vec<InvalidVerdict>,
+    /// Wrong quantities: culprits and followers.
     pub blame: Blame,
-    /// What kind of mistake fits, for each of the culprits.
-    pub findings: Vec<(&'static str, Finding)>,
-    /// How often the program was started.
+    /// Diagnosis of each culprit.
+    pub diagnoses: BTreeMap<&'static str, Diagnosis>,
+    /// Number of times that the program was started.
     pub starts: usize,
-    /// Questions.
+    /// Number of questions.
     pub questions: usize,
-    /// How long all of it took, s.
+    /// Duration, s.
     pub seconds: f64,
 }
 
-/// What became of a state that has to be refused.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Refusal {
-    /// An error, as it has to be.
-    Refused(String),
-    /// A value, as if nothing was wrong.
+/// Verdict on the answer to a state that must be refused.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct InvalidVerdict {
+    /// What the program did.
+    pub outcome: InvalidOutcome,
+    /// Message of the program, or the fault; null if accepted or not implemented.
+    pub detail: Option<String>,
+}
+
+/// What a program did with a state that must be refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum InvalidOutcome {
+    /// It answered an error, as it must.
+    Refused,
+    /// It answered a value: it does not check its input.
     Accepted,
-    /// The quantity is not implemented.
+    /// It does not implement the quantity.
     NotImplemented,
-    /// Something else.
-    Fault(Fault),
+    /// It gave no answer.
+    Fault,
+}
+
+impl InvalidOutcome {
+    /// Whether the program accepted the state or gave no answer.
+    pub fn fails(self) -> bool {
+        matches!(self, InvalidOutcome::Accepted | InvalidOutcome::Fault)
+    }
 }
 
 impl Examination {
-    /// Whether nothing failed.
+    /// Whether nothing failed and something is implemented.
     pub fn passes(&self) -> bool {
-        let failing = |(_, cases): &(&str, Vec<(usize, Verdict)>)| cases.iter().any(|(_, verdict)| verdict.fails());
-        let kept = |(_, refusal): &(usize, Refusal)| !matches!(refusal, Refusal::Refused(_) | Refusal::NotImplemented);
-        !self.verdicts.iter().any(failing) && !self.refusals.iter().any(kept) && self.implemented() > 0
+        let failing = self.verdicts.iter().flat_map(|(_, cases)| cases).any(|(_, verdict)| verdict.fails());
+        !failing && !self.invalid.iter().any(|verdict| verdict.outcome.fails()) && self.implemented() > 0
     }
 
-    /// The program's name, or how it was started.
+    /// Name of the program; its command if it did not answer `hello`.
     pub fn name(&self) -> &str {
-        self.hello.as_ref().map_or(&self.command, |hello| &hello.name)
-    }
-
-    /// Culprits that show the very same mistake as one before them: that one, which follows no other itself, and the mistake.
-    pub fn alike(&self) -> BTreeMap<&'static str, (&'static str, &Name)> {
-        let mut alike = BTreeMap::new();
-        let mut heads: Vec<&(&'static str, Finding)> = Vec::new();
-        for culprit in &self.findings {
-            let (quantity, own) = culprit;
-            let shared = |name: &&Name| own.kinds.contains(name) && name.1 != ZEROS;
-            let same = heads.iter().find_map(|(first, finding)| Some((*first, finding.kinds.iter().find(shared)?)));
-            match same {
-                Some(same) => _ = alike.insert(*quantity, same),
-                None => heads.push(culprit),
-            }
+        match &self.hello {
+            Ok(hello) => hello.name.as_deref().unwrap_or("a program without a name"),
+            Err(_) => &self.command,
         }
-        alike
     }
 
-    /// How many quantities the program has.
+    /// Number of quantities that the program implements.
     pub fn implemented(&self) -> usize {
-        let has = |(_, cases): &&(&str, Vec<(usize, Verdict)>)| {
-            cases.iter().any(|(_, verdict)| *verdict != Verdict::NotImplemented)
-        };
-        self.verdicts.iter().filter(has).count()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::diagnosis::Kind;
-
-    #[test]
-    fn the_same_mistake_is_told_with_the_first_that_shows_it() {
-        let name = |kind, what: &str| (kind, what.to_string());
-        let (half, sign) = (name(Kind::Factor, "all of it half"), name(Kind::Sign, "all of it with the other sign"));
-        let zero = name(Kind::Missing, "all of it missing");
-        let finding =
-            |kinds: &[&Name]| Finding { kinds: kinds.iter().copied().cloned().collect(), ..Finding::default() };
-        let examination = Examination {
-            command: String::new(),
-            hello: Ok(Hello::default()),
-            chatter: Chatter::default(),
-            verdicts: Vec::new(),
-            refusals: Vec::new(),
-            blame: Blame::default(),
-            findings: vec![
-                ("21.S_a1", finding(&[&half, &zero])),
-                ("21.S_b1", finding(&[&half, &sign])),
-                ("21.S_c1", finding(&[&sign])),
-                ("21.K_1", finding(&[&zero])),
-                ("21.K_2", finding(&[&sign])),
-            ],
-            starts: 1,
-            questions: 0,
-            seconds: 0.0,
-        };
-        let expected = [("21.S_b1", ("21.S_a1", &half)), ("21.K_2", ("21.S_c1", &sign))];
-        assert_eq!(examination.alike(), BTreeMap::from(expected));
+        let implemented = |cases: &[CaseVerdict]| cases.iter().any(|(_, verdict)| *verdict != Verdict::NotImplemented);
+        self.verdicts.iter().filter(|(_, cases)| implemented(cases)).count()
     }
 }

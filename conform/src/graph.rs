@@ -1,18 +1,18 @@
-//! Which quantity is computed from which: the order in which a mistake travels from (1) to (23).
+//! Dependencies between quantities: a mistake propagates along them from (1) to (23).
 
-/// One quantity and what it is computed from.
+/// A quantity and the quantities from which it is computed.
 #[derive(Clone, Copy, Debug)]
 pub struct Node {
-    /// Its name in the fixtures; the equation's number comes first.
+    /// Name in the fixtures; it begins with the number of the equation.
     pub quantity: &'static str,
-    /// Inputs whose values at the state, or at its points, are all that is needed: these can be handed over as `given`.
+    /// Inputs that are needed only at the state or at its points. They can be sent with a question as `given`.
     pub given: &'static [&'static str],
-    /// Inputs that are needed at other points, such as those of a quadrature: these cannot.
+    /// Inputs that are needed elsewhere, such as at quadrature points. They cannot be sent.
     pub inner: &'static [&'static str],
 }
 
 impl Node {
-    /// All inputs.
+    /// All inputs of the quantity.
     pub fn inputs(&self) -> impl Iterator<Item = &'static str> {
         self.given.iter().chain(self.inner).copied()
     }
@@ -22,14 +22,14 @@ const fn node(quantity: &'static str, given: &'static [&'static str], inner: &'s
     Node { quantity, given, inner }
 }
 
-/// What every question of (23) brings along: the terms that a structure assembles.
+/// Assembled terms of a structure; they are sent with every question about (23).
 pub const TERMS_OF_23: &[&str] = &["23.m", "23.Q_e", "23.f", "23.Phi_q"];
 
 const GRADIENTS: &[&str] = &["3.S_x", "3.S_y"];
 const METRICS: &[&str] = &["3.S_x", "3.S_y", "9.J_0"];
 const MOTION: &[&str] = &["7.M", "19.Q_e", "gravity.Q_w"];
 
-/// Every quantity that is asked for; inputs come before what uses them, otherwise the paper's order.
+/// Every quantity that is asked for, in the paper's order where inputs allow it: each input precedes the quantities that use it.
 pub const GRAPH: &[Node] = &[
     node("4.nodes", &[], &[]),
     node("A.3.coefficients", &["4.nodes"], &[]),
@@ -101,99 +101,35 @@ pub const GRAPH: &[Node] = &[
     node("cable.eddot", &["cable.M", "cable.Q_e", "cable.Q_w"], &[]),
 ];
 
-/// The node of a quantity.
+/// Node of a quantity; `None` if it is not asked for.
 pub fn find(quantity: &str) -> Option<&'static Node> {
     GRAPH.iter().find(|node| node.quantity == quantity)
 }
 
-/// The paper's number of a quantity's equation, or the word for what the paper leaves out.
+/// Number of a quantity's equation in the paper, or a word such as `tangent` for an equation that the paper omits.
 pub fn equation(quantity: &str) -> &str {
     let name = quantity.split('/').next().unwrap_or(quantity);
     name.rsplit_once('.').map_or(name, |(equation, _)| equation)
 }
 
-/// Quantities that vary over the element: their values have an entry for each point of the state.
-const OF_A_POINT: &[&str] = &[
-    "A.1.r",
-    "A.1.r_x",
-    "A.1.r_y",
-    "A.4.r",
-    "1.r",
-    "2.S",
-    "3.S",
-    "3.S_x",
-    "3.S_y",
-    "5.rdot",
-    "9.J_0",
-    "9.J",
-    "10.epsilon_m",
-    "11.S_a",
-    "11.S_b",
-    "11.S_c",
-    "12.epsilon_f",
-    "13.epsilon_1",
-    "13.epsilon_2",
-    "13.epsilon_3",
-    "14.epsilon",
-    "15.sigma",
-    "21.S_a1",
-    "21.S_b1",
-    "21.S_c1",
-    "axis.epsilon",
-    "cable.S",
-    "cable.S_x",
-    "cable.S_xx",
-    "cable.r",
-    "cable.r_x",
-    "cable.r_xx",
-    "cable.epsilon",
-    "cable.kappa",
-];
-
-/// Whether a quantity's value has an entry for each point of the state.
-pub fn is_of_a_point(quantity: &str) -> bool {
-    OF_A_POINT.contains(&quantity)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::suite::Suite;
     use std::collections::BTreeSet;
 
     #[test]
-    fn inputs_come_before_what_uses_them() {
+    fn inputs_precede_the_quantities_that_use_them() {
         let mut seen = BTreeSet::new();
         for node in GRAPH {
             for input in node.inputs() {
                 assert!(seen.contains(input), "{} uses {input}", node.quantity);
             }
-            assert!(seen.insert(node.quantity), "{} stands twice", node.quantity);
+            assert!(seen.insert(node.quantity), "{} is listed twice", node.quantity);
         }
     }
 
     #[test]
-    fn every_quantity_of_the_fixtures_is_asked_for_but_printed_forms_and_terms() {
-        let suite = Suite::embedded().unwrap();
-        let asked: BTreeSet<&str> = GRAPH.iter().map(|node| node.quantity).collect();
-        let stored: BTreeSet<&str> = suite.quantities.iter().map(|quantity| quantity.id.as_str()).collect();
-        let expected: BTreeSet<&str> = stored
-            .iter()
-            .copied()
-            .filter(|id| !id.contains("/printed") && *id != "23.Phi" && !TERMS_OF_23.contains(id))
-            .collect();
-        assert_eq!(asked, expected);
-    }
-
-    #[test]
-    fn the_fixtures_say_the_same_of_points() {
-        for quantity in Suite::embedded().unwrap().quantities {
-            assert_eq!(is_of_a_point(&quantity.id), quantity.per.as_deref() == Some("point"), "{}", quantity.id);
-        }
-    }
-
-    #[test]
-    fn the_equation_is_what_stands_before_the_last_point() {
+    fn the_equation_precedes_the_last_dot() {
         assert_eq!(equation("21.K_3/printed"), "21");
         assert_eq!(equation("A.3.coefficients"), "A.3");
         assert_eq!(equation("tangent.dQ_e"), "tangent");

@@ -1,87 +1,90 @@
-//! One process with its three pipes.
+//! A child process with its three pipes.
 //!
-//! A thread writes and one reads, so that neither a program that does not read nor one that does not answer can stop this
-//! one; its standard error is drained, and its last lines are kept for the report.
+//! One thread writes and one reads, so that a program that neither reads nor answers cannot block this one. A third thread drains
+//! standard error and keeps its last lines for the report.
 
 use std::collections::VecDeque;
-use std::io::{BufRead, BufReader, Error, Read, Result, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, SyncSender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use super::protocol;
-use super::verdict::Fault;
+use crate::protocol;
+use crate::verdict::Fault;
 
-/// Longest line that is read, bytes.
+/// Longest line that is read, in bytes.
 const LONGEST_LINE: u64 = 16 << 20;
-/// Lines that are read ahead.
+/// Number of lines that are read ahead.
 const AHEAD: usize = 16;
-/// Lines of standard error that are kept.
+/// Number of lines of standard error that are kept.
 const KEPT: usize = 5;
-/// Often enough looked whether the program still reads, s.
-const GLANCE: Duration = Duration::from_millis(50);
-/// Time to end by itself after its output has ended.
-const FAREWELL: Duration = Duration::from_millis(300);
+/// Interval at which the end of standard input is checked.
+const POLL: Duration = Duration::from_millis(50);
+/// Time that a program has to exit after it closed a pipe.
+const EXIT_TIME: Duration = Duration::from_millis(300);
 
 /// A running program.
 pub struct Process {
     child: Child,
-    over: bool,
+    ended: bool,
     questions: Sender<String>,
     writer: JoinHandle<()>,
-    lines: Receiver<std::result::Result<String, Fault>>,
-    last_words: Arc<Mutex<VecDeque<String>>>,
+    error_reader: JoinHandle<()>,
+    lines: Receiver<Result<String, Fault>>,
+    last_errors: Arc<Mutex<VecDeque<String>>>,
 }
 
 impl Process {
-    /// Starts a program.
+    /// Starts a program with its arguments.
     ///
     /// # Errors
-    /// The system's reason if it cannot be started.
-    pub fn start(name: &str, arguments: &[String]) -> Result<Process> {
+    /// The system's error if the program cannot be started.
+    pub fn start(name: &str, arguments: &[String]) -> io::Result<Process> {
         let mut command = Command::new(name);
         command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        // What it starts itself, as a shell does, belongs to its group and ends with it.
+        // Processes that the program starts belong to its group and are killed with it.
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let mut child = command.spawn()?;
         let (stdin, stdout, stderr) = match (child.stdin.take(), child.stdout.take(), child.stderr.take()) {
             (Some(stdin), Some(stdout), Some(stderr)) => (stdin, stdout, stderr),
-            _ => return Err(Error::other("its input and output cannot be reached")),
+            _ => return Err(io::Error::other("its standard input and output cannot be reached")),
         };
         let (questions, to_write) = channel();
         let (to_tell, lines) = sync_channel(AHEAD);
-        let last_words = Arc::new(Mutex::new(VecDeque::new()));
+        let last_errors = Arc::new(Mutex::new(VecDeque::new()));
         let writer = thread::spawn(move || write_lines(stdin, &to_write));
         thread::spawn(move || read_lines(stdout, &to_tell));
-        let kept = Arc::clone(&last_words);
-        thread::spawn(move || keep_last_lines(stderr, &kept));
-        Ok(Process { child, over: false, questions, writer, lines, last_words })
+        let kept = Arc::clone(&last_errors);
+        let error_reader = thread::spawn(move || keep_last_lines(stderr, &kept));
+        Ok(Process { child, ended: false, questions, writer, error_reader, lines, last_errors })
     }
 
-    /// Sends a line.
+    /// Sends a line to the program.
     ///
     /// # Errors
-    /// [`Fault::Crash`] if nobody reads it.
-    pub fn send(&self, line: String) -> std::result::Result<(), Fault> {
+    /// [`Fault::Crash`] if the program no longer reads.
+    pub fn send(&self, line: String) -> Result<(), Fault> {
         self.questions.send(line).map_err(|_| not_reading())
     }
 
-    /// The next line; `None` if none comes within the time.
+    /// Returns the next line of the program; `None` if there is none within the time.
     ///
     /// # Errors
-    /// [`Fault::Crash`] if there will be none, [`Fault::Endless`] if it has no end.
-    pub fn next(&self, limit: Duration) -> std::result::Result<Option<String>, Fault> {
+    /// [`Fault::Crash`] if no more lines will come, [`Fault::Endless`] if a line does not end.
+    pub fn next(&self, limit: Duration) -> Result<Option<String>, Fault> {
         let started = Instant::now();
         loop {
-            // A writer that is done before its channel closes has met a closed input: an answer may still be on its way.
+            // The writer ends early if the program closed its input. An answer may still be on its way.
             let closed = self.writer.is_finished();
-            let left = limit.saturating_sub(started.elapsed()).min(if closed { FAREWELL } else { GLANCE });
+            let left = limit.saturating_sub(started.elapsed()).min(if closed { EXIT_TIME } else { POLL });
             match self.lines.recv_timeout(left) {
                 Ok(line) => return line.map(Some),
-                Err(RecvTimeoutError::Disconnected) => return Err(Fault::Crash("its output has ended".into())),
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(Fault::Crash("it closed its standard output".into()));
+                }
                 Err(RecvTimeoutError::Timeout) if closed => return Err(not_reading()),
                 Err(RecvTimeoutError::Timeout) if started.elapsed() >= limit => return Ok(None),
                 Err(RecvTimeoutError::Timeout) => {}
@@ -89,26 +92,31 @@ impl Process {
         }
     }
 
-    /// How the process ended, with its exit code and its last words on standard error.
-    pub fn obituary(&mut self, how: &str) -> String {
-        let by = Instant::now() + FAREWELL;
+    /// Ends the process and describes how it ended: exit status, or `how`, and the last line of standard error.
+    pub fn exit_report(&mut self, how: &str) -> String {
+        let deadline = Instant::now() + EXIT_TIME;
         let mut status = None;
-        while status.is_none() && Instant::now() < by {
+        while status.is_none() && Instant::now() < deadline {
             status = self.child.try_wait().ok().flatten();
             thread::sleep(Duration::from_millis(5));
         }
         self.end();
-        let mut story = status.map_or_else(|| how.to_string(), |status| status.to_string());
-        let words = self.last_words.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(last) = words.iter().rev().find(|line| !line.trim().is_empty()) {
-            story += &format!("; its last words: {}", protocol::quoted(last));
+        // On a busy machine the last line may not have been read yet.
+        let deadline = Instant::now() + EXIT_TIME;
+        while !self.error_reader.is_finished() && Instant::now() < deadline {
+            thread::sleep(Duration::from_millis(5));
         }
-        story
+        let mut report = status.map_or_else(|| how.to_string(), |status| status.to_string());
+        let lines = self.last_errors.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(last) = lines.iter().rev().find(|line| !line.trim().is_empty()) {
+            report += &format!("; last line of standard error: {}", protocol::quoted(last));
+        }
+        report
     }
 
-    /// Ends the process and what it has started; that it has ended already is no error.
+    /// Kills the process and all processes that it started. Does nothing if it has ended.
     pub fn end(&mut self) {
-        if std::mem::replace(&mut self.over, true) {
+        if std::mem::replace(&mut self.ended, true) {
             return;
         }
         #[cfg(unix)]
@@ -127,7 +135,7 @@ impl Drop for Process {
 }
 
 fn not_reading() -> Fault {
-    Fault::Crash("it does not read its input any more".into())
+    Fault::Crash("it no longer reads its standard input".into())
 }
 
 fn write_lines(mut stdin: ChildStdin, lines: &Receiver<String>) {
@@ -139,14 +147,14 @@ fn write_lines(mut stdin: ChildStdin, lines: &Receiver<String>) {
     }
 }
 
-fn read_lines(stdout: ChildStdout, lines: &SyncSender<std::result::Result<String, Fault>>) {
+fn read_lines(stdout: ChildStdout, lines: &SyncSender<Result<String, Fault>>) {
     let mut stdout = BufReader::new(stdout);
     loop {
         let mut line = Vec::new();
         let line = match (&mut stdout).take(LONGEST_LINE).read_until(b'\n', &mut line) {
             Ok(0) | Err(_) => return,
             Ok(count) if count as u64 == LONGEST_LINE => {
-                // Whoever writes on without an end is not listened to any more.
+                // No more lines are read from a program that writes without end.
                 let _ = lines.send(Err(Fault::Endless(format!("{} MB and more", LONGEST_LINE >> 20))));
                 return;
             }

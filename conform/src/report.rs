@@ -1,8 +1,8 @@
-//! An examination as a Markdown table to read and to paste, and as `conformance.json`.
+//! The report of an examination: `conformance.json`, and Markdown to read and to paste.
 
-mod json;
 mod markdown;
-mod rows;
+mod record;
 
-pub use json::{SCHEMA, json};
-pub use markdown::{markdown, summary};
+pub use record::{
+    CaseFault, Counts, CulpritResult, FailingCase, Failure, InvalidResult, Program, QuantityResult, Report,
+};

@@ -1,36 +1,37 @@
-//! A state from a file, or a stored one.
+//! States from files and from the fixtures.
 
 use std::io::ErrorKind;
 
-use ancf::internals::nearest;
+use ancf::internals::model::nearest;
 use ancf::state::{CableState, ElementState};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use crate::error::{Error, Result};
-use crate::suite::{Parsed, Suite};
+use crate::suite::{State, Suite};
 
-/// The state of a file, of an element or of a cable element; or the stored state of that name, also the terms of (23) of a structure.
+/// Reads the state of an ANCF or Euler–Bernoulli element from a file. If there is no such file, `name` is that of a stored state, which
+/// may also be the terms of (23) of a structure.
 ///
 /// # Errors
-/// [`Error::NoState`] if there is neither, [`Error::Read`] if the file cannot be read, [`Error::Scene`] with file, key, value and
-/// what is allowed if it holds no state.
-pub fn load(name: &str) -> Result<Parsed> {
+/// [`Error::NoState`] if there is neither, [`Error::Read`] if the file cannot be read, [`Error::State`] with file, key, value and allowed
+/// values if it is invalid.
+pub fn load(name: &str) -> Result<State> {
     match std::fs::read_to_string(name) {
-        Ok(text) if is_of_a_cable(&text) => Ok(Parsed::Cable(Box::new(CableState::parse(&text, name)?))),
-        Ok(text) => Ok(Parsed::Element(Box::new(ElementState::parse(&text, name)?))),
+        Ok(text) if is_of_a_cable(&text) => Ok(State::Cable(Box::new(CableState::parse(&text, name)?))),
+        Ok(text) => Ok(State::Element(Box::new(ElementState::parse(&text, name)?))),
         Err(source) if source.kind() != ErrorKind::NotFound => Err(Error::Read { path: name.into(), source }),
         Err(_) => {
             let mut cases = Suite::embedded()?.cases;
             match cases.iter().position(|case| case.id == name) {
-                Some(place) => Ok(cases.swap_remove(place).parsed),
+                Some(n) => Ok(cases.swap_remove(n).state),
                 None => Err(unknown(name, cases.iter().map(|case| case.id.as_str()).collect())),
             }
         }
     }
 }
 
-/// Cable elements have eight nodal coordinates.
+/// Whether a state has the eight nodal coordinates of a cable element.
 fn is_of_a_cable(text: &str) -> bool {
     #[derive(Deserialize)]
     struct Coordinates {

@@ -1,96 +1,104 @@
-//! The program under test: started, asked, and started again after it hung or crashed.
+//! The program under test: starts it, asks it, and restarts it after it hung or crashed.
 
 use std::time::{Duration, Instant};
 
-use super::process::Process;
-use super::protocol::{self, Answer, Hello, Line};
-use super::verdict::Fault;
+use schemars::JsonSchema;
+use serde::Serialize;
+
 use crate::error::{Error, Result};
+use crate::process::Process;
+use crate::protocol::{self, Answer, AnswerLine, Hello};
+use crate::verdict::Fault;
 
-/// A program may take this long to start, if the time limit is not longer.
-const START: Duration = Duration::from_secs(30);
-/// So often a program is started at most.
-pub const STARTS: usize = 25;
-/// Lines that are no JSON before an answer, at most.
-const PATIENCE: usize = 100;
-/// Time for an answer behind such a line of a program that has shown to print them in place of answers.
-const AFTERWARDS: Duration = Duration::from_millis(10);
+/// Time limit for the answer to `hello`, unless that of an answer is longer.
+const START_LIMIT: Duration = Duration::from_secs(30);
+/// Largest number of times that a program is started.
+pub const MOST_STARTS: usize = 25;
+/// Largest number of lines other than JSON before an answer.
+const MOST_CHATTER: usize = 100;
+/// Time limit for an answer after such a line, once the program has printed one in place of an answer.
+const SHORT_LIMIT: Duration = Duration::from_millis(10);
 
-/// A program that is started when it is asked, and again after it hung or crashed.
-pub struct Program {
+/// The program under test. It is restarted if it has ended when the next question comes.
+pub struct Subject {
     command: Vec<String>,
     limit: Duration,
     hello_line: String,
     running: Option<Process>,
-    habit: Option<Habit>,
-    /// How often it was started.
+    chatter_place: Option<ChatterPlace>,
+    /// Number of starts.
     pub starts: usize,
-    /// What it said of itself at last; what came in place of that the first time, after which it need not be asked.
-    pub hello: std::result::Result<Hello, Fault>,
-    /// What it printed beside its answers.
+    /// Its latest answer to `hello`, or what came in place of the first one. Then it is not asked anything.
+    pub hello: Result<Hello, Fault>,
+    /// Lines on its standard output other than JSON.
     pub chatter: Chatter,
 }
 
-/// Lines on standard output that are no JSON.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+/// Lines on standard output that are not JSON objects.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 pub struct Chatter {
-    /// How many there were.
-    pub lines: usize,
-    /// The first of them.
+    /// Beginning of the first line.
     pub first: String,
-    /// The last of them.
+    /// Number of lines.
+    pub lines: usize,
+    /// Beginning of the last line.
+    #[serde(skip)]
     pub last: String,
 }
 
-/// Where a program prints lines that are no JSON. The first time it has all its time to answer behind such a line.
+/// Picks the line that is waited for, or the fault that it shows; `None` to skip a line.
+type Wanted<'a, T> = &'a dyn Fn(AnswerLine) -> Option<Result<T, Fault>>;
+
+/// Where a program prints lines other than JSON. After the first such line the whole time limit applies to the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Habit {
-    /// Before its answers: they are passed over.
-    BesideAnswers,
-    /// In place of them: nothing is worth waiting for.
+enum ChatterPlace {
+    /// Before its answers: the lines are skipped.
+    BeforeAnswers,
+    /// In place of answers: there is no answer to wait for.
     InPlaceOfAnswers,
 }
 
-impl Program {
-    /// Starts the program and exchanges `hello`.
+impl Subject {
+    /// Starts a program and exchanges `hello`.
     ///
     /// # Errors
-    /// [`Error::Command`] if there is no such program. That it does not answer is a result.
-    pub fn start(command: &[String], limit: Duration, hello_line: String) -> Result<Program> {
-        let mut program = Program {
+    /// [`Error::Command`] if the program cannot be started. A program that does not answer is not an error.
+    pub fn start(command: &[String], limit: Duration, hello_line: String) -> Result<Subject> {
+        let mut subject = Subject {
             command: command.to_vec(),
             limit,
             hello_line,
             running: None,
-            habit: None,
+            chatter_place: None,
             starts: 0,
             hello: Ok(Hello::default()),
             chatter: Chatter::default(),
         };
-        let process = program.spawn()?;
-        program.hello = program.greet(process);
-        Ok(program)
+        let process = subject.spawn()?;
+        subject.hello = subject.greet(process);
+        Ok(subject)
     }
 
-    /// Asks one question.
+    /// Asks a question and returns its answer.
     ///
     /// # Errors
-    /// What came in place of an answer.
-    pub fn ask(&mut self, id: &str, line: String) -> std::result::Result<Answer, Fault> {
+    /// The fault that came in place of an answer.
+    pub fn ask(&mut self, id: &str, line: String) -> Result<Answer, Fault> {
         if self.running.is_none() {
-            if self.starts >= STARTS {
-                return Err(Fault::NotAsked(format!("the program was started {STARTS} times")));
+            if self.starts >= MOST_STARTS {
+                return Err(Fault::NotAsked(format!("the program was started {MOST_STARTS} times")));
             }
             let process = self.spawn().map_err(|error| Fault::Crash(error.to_string()))?;
-            let hello = self.greet(process).map_err(|fault| Fault::Crash(format!("started again: {fault}")))?;
+            let hello = self.greet(process).map_err(|fault| Fault::Crash(format!("restarted: {fault}")))?;
             self.hello = Ok(hello);
         }
         let limit = self.limit;
-        self.exchange(line, limit, |line| match line {
-            Line::Answer(of, answer) if of == id => Some(Ok(answer)),
-            Line::Hello(_) => Some(Err(Fault::Garbage("hello a second time".into()))),
+        self.exchange(line, limit, &|line| match line {
+            AnswerLine::Answer { id: of, answer } if of == id => Some(Ok(answer)),
+            AnswerLine::Hello { .. } => Some(Err(Fault::Garbage("a second hello".into()))),
             // A late answer to an earlier question.
-            Line::Answer(..) | Line::Chatter(_) => None,
+            AnswerLine::Answer { .. } | AnswerLine::Chatter(_) => None,
         })
     }
 
@@ -102,78 +110,68 @@ impl Program {
         process.map_err(|source| Error::Command { command: name.clone(), source })
     }
 
-    fn greet(&mut self, process: Process) -> std::result::Result<Hello, Fault> {
+    fn greet(&mut self, process: Process) -> Result<Hello, Fault> {
         self.running = Some(process);
-        // A banner says nothing about answers.
-        let habit = self.habit.take();
-        let (line, limit) = (self.hello_line.clone(), self.limit.max(START));
-        let hello = self.exchange(line, limit, |line| match line {
-            Line::Hello(hello) => Some(Ok(hello)),
-            Line::Answer(..) => Some(Err(Fault::Garbage("an answer before hello".into()))),
-            Line::Chatter(_) => None,
+        // A banner before `hello` does not predict where later lines are printed.
+        let chatter_place = self.chatter_place.take();
+        let (line, limit) = (self.hello_line.clone(), self.limit.max(START_LIMIT));
+        let hello = self.exchange(line, limit, &|line| match line {
+            AnswerLine::Hello { hello } => Some(Ok(hello)),
+            AnswerLine::Answer { .. } => Some(Err(Fault::Garbage("an answer before hello".into()))),
+            AnswerLine::Chatter(_) => None,
         });
-        self.habit = habit;
+        self.chatter_place = chatter_place;
         hello
     }
 
-    /// Sends a line and waits for one that `wanted` takes. The process is ended if it hung or ended.
-    fn exchange<T>(
-        &mut self,
-        line: String,
-        limit: Duration,
-        wanted: impl Fn(Line) -> Option<std::result::Result<T, Fault>>,
-    ) -> std::result::Result<T, Fault> {
+    /// Sends a line and waits for one that `wanted` accepts. Kills a process that hung.
+    fn exchange<T>(&mut self, line: String, limit: Duration, wanted: Wanted<T>) -> Result<T, Fault> {
         let Some(mut process) = self.running.take() else { return Err(Fault::Crash("it is not running".into())) };
         let before = self.chatter.lines;
         let outcome = process.send(line).and_then(|()| self.listen(&process, limit, wanted));
         match &outcome {
             Err(Fault::TimeLimit(_) | Fault::Endless(_)) => process.end(),
             Err(Fault::Crash(how)) => {
-                let mut story = process.obituary(how);
+                let mut report = process.exit_report(how);
                 if self.chatter.lines > before {
-                    story += &format!("; it printed: {}", self.chatter.last);
+                    report += &format!("; it printed: {}", self.chatter.last);
                 }
-                return Err(Fault::Crash(story));
+                return Err(Fault::Crash(report));
             }
             _ => self.running = Some(process),
         }
         outcome
     }
 
-    /// Waits for a line that `wanted` takes; what is no JSON is passed over, unless it is all that comes.
-    fn listen<T>(
-        &mut self,
-        process: &Process,
-        limit: Duration,
-        wanted: impl Fn(Line) -> Option<std::result::Result<T, Fault>>,
-    ) -> std::result::Result<T, Fault> {
+    /// Waits for a line that `wanted` accepts. Other lines are skipped; if nothing else comes, the first of them is the fault.
+    fn listen<T>(&mut self, process: &Process, limit: Duration, wanted: Wanted<T>) -> Result<T, Fault> {
         let started = Instant::now();
-        let (mut by, mut first, mut count) = (limit, None, 0);
+        let (mut deadline, mut first, mut count) = (limit, None, 0);
         loop {
-            let Some(line) = process.next(by.saturating_sub(started.elapsed()))? else {
-                let Some(words) = first.filter(|_| self.habit != Some(Habit::BesideAnswers)) else {
+            let Some(line) = process.next(deadline.saturating_sub(started.elapsed()))? else {
+                let Some(line) = first.filter(|_| self.chatter_place != Some(ChatterPlace::BeforeAnswers)) else {
                     return Err(Fault::TimeLimit(format!("{} s", limit.as_secs_f64())));
                 };
-                self.habit = Some(Habit::InPlaceOfAnswers);
-                return Err(Fault::Garbage(words));
+                self.chatter_place = Some(ChatterPlace::InPlaceOfAnswers);
+                return Err(Fault::Garbage(line));
             };
             match protocol::read(&line)? {
-                Line::Chatter(words) if words.is_empty() => {}
-                Line::Chatter(words) => {
+                AnswerLine::Chatter(words) if words.is_empty() => {}
+                AnswerLine::Chatter(words) => {
                     count += 1;
                     self.chatter.add(&words);
-                    if count > PATIENCE {
+                    if count > MOST_CHATTER {
                         return Err(Fault::Garbage(words));
                     }
-                    if self.habit == Some(Habit::InPlaceOfAnswers) {
-                        by = limit.min(started.elapsed() + AFTERWARDS);
+                    if self.chatter_place == Some(ChatterPlace::InPlaceOfAnswers) {
+                        deadline = limit.min(started.elapsed() + SHORT_LIMIT);
                     }
                     first.get_or_insert(words);
                 }
                 line => {
                     if let Some(answer) = wanted(line) {
                         if first.is_some() {
-                            self.habit = Some(Habit::BesideAnswers);
+                            self.chatter_place = Some(ChatterPlace::BeforeAnswers);
                         }
                         return answer;
                     }

@@ -1,19 +1,22 @@
-//! The fixtures as questions: states, reference values and how far an answer may be from them.
+//! The fixtures as questions: states, reference values and tolerances.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use nalgebra::{DMatrix, DVector};
-use serde::Deserialize;
-use serde_json::{Map, Value};
-
-use super::graph::TERMS_OF_23;
-use crate::error::{Error, Result};
 use ancf::state::{CableState, ElementState, SystemState};
+use nalgebra::{DMatrix, DVector};
+use schemars::JsonSchema;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
-/// The files, in the order of asking; they are part of the program, and a folder of the same names can stand in for them.
+use crate::error::{Error, Result};
+use crate::graph::TERMS_OF_23;
+use crate::numbers::flatten;
+
+/// Fixture files in the order of the questions, each with its embedded text. [`Suite::load`] reads the same names from a folder.
 const FILES: [(&str, &str); 4] = [
     ("equations.json", ancf_fixtures::EQUATIONS),
     ("structure.json", ancf_fixtures::STRUCTURE),
@@ -21,113 +24,137 @@ const FILES: [(&str, &str); 4] = [
     ("invalid.json", ancf_fixtures::INVALID),
 ];
 
-/// All questions.
-#[derive(Debug)]
+/// All states with their reference values, and the states that must be refused.
+#[derive(Debug, Default)]
 pub struct Suite {
-    /// Version of the values, by file.
+    /// Version of each fixture file, by name.
     pub versions: BTreeMap<String, String>,
-    /// What is asked for, in the files' order.
-    pub quantities: Vec<Quantity>,
-    /// States and their values.
+    /// Description of each quantity, by name.
+    pub quantities: BTreeMap<String, Quantity>,
+    /// States with reference values, in the order of the questions.
     pub cases: Vec<Case>,
-    /// States that have to be refused.
-    pub invalid: Vec<Invalid>,
+    /// States that must be refused.
+    pub invalid: Vec<InvalidCase>,
 }
 
-/// A quantity as the fixtures describe it.
-#[derive(Clone, Debug, Deserialize)]
+/// Description of a quantity.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 pub struct Quantity {
-    /// Its name.
-    #[serde(default)]
-    pub id: String,
-    /// In words.
-    pub what: String,
-    /// Unit.
+    /// Whether there is a value for each point of the state, or one for the element; null for (23).
+    pub per: Option<Per>,
+    /// Lengths of the nested lists of one value, outer first; empty for a number. For (23), n is the number of coordinates and c that of
+    /// constraints.
+    pub shape: Vec<Length>,
+    /// SI unit; where positions and slopes are mixed, the unit of positions, then that of slopes.
     pub unit: String,
-    /// Lengths of its nested lists; letters where they differ from case to case. Of a point quantity: at each point.
-    pub shape: Vec<Value>,
-    /// "point" or "element".
-    #[serde(default)]
-    pub per: Option<String>,
+    /// Meaning in words.
+    pub what: String,
 }
 
-/// One state with its reference values.
+/// What a value belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Per {
+    /// A point: the answer is a list with an entry for each of the state's points.
+    Point,
+    /// The element: the answer is one value.
+    Element,
+}
+
+/// Length of a list.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Length {
+    /// Equal in all cases.
+    Fixed(usize),
+    /// A letter for a length that depends on the case.
+    Letter(String),
+}
+
+/// A state with its reference values.
 #[derive(Debug)]
 pub struct Case {
-    /// Its name, with the file's in front where two files could have the same.
+    /// Name; those of `cable.json` begin with `cable-`.
     pub id: String,
-    /// What can be wrong in it.
+    /// What the case can reveal, such as `rotated` or `heated`.
     pub tags: Vec<String>,
-    /// The state as it is sent.
-    pub state: Value,
-    /// The same to compute with.
-    pub parsed: Parsed,
+    /// The state as it is sent to the program.
+    pub state_json: Value,
+    /// The state to compute with.
+    pub state: State,
     /// Reference values by quantity.
     pub values: BTreeMap<String, Reference>,
 }
 
 /// A state to compute with.
 #[derive(Debug)]
-pub enum Parsed {
-    /// An element's.
+pub enum State {
+    /// State of an ANCF element.
     Element(Box<ElementState>),
-    /// The terms of (23).
+    /// Terms of (23) for a structure.
     System(Box<SystemState>),
-    /// A cable element's.
+    /// State of an Euler–Bernoulli element.
     Cable(Box<CableState>),
 }
 
-/// A reference value.
+/// A reference value with its tolerances.
 #[derive(Clone, Debug)]
 pub struct Reference {
-    /// As it is stored.
+    /// The value as nested lists.
     pub json: Value,
-    /// Lengths of its nested lists, points first.
+    /// Whether the outermost list has an entry for each point of the state.
+    pub per_point: bool,
+    /// Lengths of the nested lists, points first.
     pub shape: Vec<usize>,
-    /// Its numbers, row by row.
+    /// Entries, row by row.
     pub numbers: Vec<f64>,
-    /// How far an answer may be, entry by entry.
+    /// Absolute tolerance of each entry.
     pub absolute: Vec<f64>,
-    /// `absolute` over the size of the terms that are added up.
+    /// `absolute` divided by the size of the terms that are added up.
     pub relative: f64,
 }
 
-/// A state that has to be refused.
-#[derive(Clone, Debug, Deserialize)]
-pub struct Invalid {
-    /// Its name.
+/// A state that must be refused.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+pub struct InvalidCase {
+    /// Name of the case in invalid.json.
     pub id: String,
-    /// The quantity that is asked for.
+    /// Name of the quantity to ask for.
     pub equation: String,
-    /// The state.
+    /// The state as it is sent to the program.
+    #[serde(skip_serializing)]
     pub state: Value,
-    /// The key that is wrong.
+    /// Invalid key of the state.
     pub key: String,
-    /// Why it has to be refused.
+    /// Why the state is invalid.
+    #[serde(skip_serializing)]
     pub because: String,
 }
 
 impl Suite {
-    /// The fixtures that this program was built with.
+    /// Reads the fixtures that are embedded in this crate.
     ///
     /// # Errors
-    /// [`Error::Suite`] if they are not what this program expects.
+    /// [`Error::Suite`] if a file is malformed.
     pub fn embedded() -> Result<Suite> {
-        let mut suite = Suite::empty();
-        FILES.iter().try_for_each(|(name, text)| suite.add(name, text).map_err(|reason| broken(name, reason)))?;
+        let mut suite = Suite::default();
+        FILES.iter().try_for_each(|(name, text)| suite.add(name, text).map_err(|reason| malformed(name, reason)))?;
         Ok(suite)
     }
 
-    /// The fixtures of a folder; of the four files those that are there, `equations.json` at least.
+    /// Reads the fixtures of a folder. `equations.json` is required, the other files are optional.
     ///
     /// # Errors
-    /// [`Error::Read`] if a file cannot be read, [`Error::Suite`] if it is not what this program expects.
+    /// [`Error::Read`] if a file cannot be read, [`Error::Suite`] if it is malformed.
     pub fn load(folder: &Path) -> Result<Suite> {
-        let mut suite = Suite::empty();
+        let mut suite = Suite::default();
         for (name, _) in FILES {
             let path = folder.join(name);
             match std::fs::read_to_string(&path) {
-                Ok(text) => suite.add(name, &text).map_err(|reason| broken(&path.display().to_string(), reason))?,
+                Ok(text) => {
+                    suite.add(name, &text).map_err(|reason| malformed(&path.display().to_string(), reason))?;
+                }
                 Err(source) if name != "equations.json" && source.kind() == std::io::ErrorKind::NotFound => {}
                 Err(source) => return Err(Error::Read { path, source }),
             }
@@ -135,102 +162,57 @@ impl Suite {
         Ok(suite)
     }
 
-    fn empty() -> Suite {
-        Suite { versions: BTreeMap::new(), quantities: Vec::new(), cases: Vec::new(), invalid: Vec::new() }
-    }
-
-    /// The description of a quantity.
-    pub fn quantity(&self, id: &str) -> Option<&Quantity> {
-        self.quantities.iter().find(|quantity| quantity.id == id)
-    }
-
-    fn add(&mut self, name: &str, text: &str) -> std::result::Result<(), String> {
-        let json: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
-        let version = json["version"].as_str().ok_or("no `version`")?;
-        self.versions.insert(name.into(), version.into());
+    fn add(&mut self, name: &str, text: &str) -> Result<(), String> {
+        let mut json: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
+        self.versions.insert(name.into(), read(&json["version"], "version")?);
         if name == "invalid.json" {
-            self.invalid = Vec::deserialize(&json["cases"]).map_err(|error| format!("cases: {error}"))?;
+            self.invalid = read(&json["cases"], "cases")?;
             return Ok(());
         }
-        for (id, described) in json["quantities"].as_object().ok_or("no `quantities`")? {
-            let quantity = Quantity::deserialize(described).map_err(|error| format!("quantities.{id}: {error}"))?;
-            self.quantities.push(Quantity { id: id.clone(), ..quantity });
-        }
-        let cases = json["states"].as_array().or(json["cases"].as_array()).ok_or("no `states` or `cases`")?;
-        for case in cases {
-            self.cases.push(read_case(name, case)?);
+        self.quantities.extend(read::<BTreeMap<String, Quantity>>(&json["quantities"], "quantities")?);
+        let list = if name == "structure.json" { "cases" } else { "states" };
+        let Value::Array(cases) = json[list].take() else { return Err(format!("no list `{list}`")) };
+        for case in &cases {
+            let id: String = read(&case["id"], "id of a case")?;
+            self.cases.push(self.read_case(name, case).map_err(|reason| format!("{id}: {reason}"))?);
         }
         Ok(())
     }
+
+    fn read_case(&self, file: &str, case: &Value) -> Result<Case, String> {
+        let stored: BTreeMap<String, Value> = read(&case["values"], "values")?;
+        let mut values = BTreeMap::new();
+        for (id, stored) in stored {
+            let per_point = self.quantities.get(&id).is_some_and(|quantity| quantity.per == Some(Per::Point));
+            let value = Reference::read(&stored, per_point).map_err(|reason| format!("{id}: {reason}"))?;
+            values.insert(id, value);
+        }
+        let state = match file {
+            "equations.json" => State::Element(read(&case["state"], "state")?),
+            "cable.json" => State::Cable(read(&case["state"], "state")?),
+            _ => State::System(Box::new(system(&case["state"], &values).ok_or("state: not the terms of (23)")?)),
+        };
+        let prefix = if file == "cable.json" { "cable-" } else { "" };
+        let id = format!("{prefix}{}", read::<String>(&case["id"], "id")?);
+        Ok(Case { id, tags: read(&case["tags"], "tags")?, state_json: case["state"].clone(), state, values })
+    }
 }
 
-fn broken(file: &str, reason: String) -> Error {
+fn malformed(file: &str, reason: String) -> Error {
     Error::Suite { file: file.into(), reason }
 }
 
-fn read_case(file: &str, case: &Value) -> std::result::Result<Case, String> {
-    let id = case["id"].as_str().ok_or("a case without `id`")?;
-    let within = |reason: String| format!("{id}: {reason}");
-    let mut values = BTreeMap::new();
-    for (quantity, stored) in case["values"].as_object().ok_or_else(|| within("no `values`".into()))? {
-        let value = read_value(stored).map_err(|reason| within(format!("{quantity}: {reason}")))?;
-        values.insert(quantity.clone(), value);
-    }
-    let tags = Vec::deserialize(&case["tags"]).map_err(|error| within(format!("tags: {error}")))?;
-    let (prefix, parsed) = match file {
-        "equations.json" => {
-            let state = ElementState::deserialize(&case["state"]).map_err(|error| within(format!("state: {error}")))?;
-            ("", Parsed::Element(Box::new(state)))
-        }
-        "structure.json" => ("", system(&case["state"], &values).ok_or_else(|| within("terms of (23)".into()))?),
-        _ => {
-            let state = CableState::deserialize(&case["state"]).map_err(|error| within(format!("state: {error}")))?;
-            ("cable-", Parsed::Cable(Box::new(state)))
-        }
-    };
-    Ok(Case { id: format!("{prefix}{id}"), tags, state: case["state"].clone(), parsed, values })
+/// Reads a part of a fixture; the error names the part.
+fn read<T: DeserializeOwned>(json: &Value, part: &str) -> Result<T, String> {
+    T::deserialize(json).map_err(|error| format!("{part}: {error}"))
 }
 
-fn read_value(stored: &Value) -> std::result::Result<Reference, String> {
-    let json = &stored["f64"];
-    let mut numbers = Vec::new();
-    let shape = flatten(json, &mut numbers).ok_or("`f64` is no nested list of numbers")?;
-    let mut absolute = Vec::new();
-    flatten(&stored["absolute"], &mut absolute).ok_or("`absolute` is no nested list of numbers")?;
-    if absolute.len() == 1 {
-        absolute.resize(numbers.len(), absolute.first().copied().unwrap_or_default());
-    }
-    let relative = stored["relative"].as_f64().ok_or("no `relative`")?;
-    let usable = absolute.len() == numbers.len() && absolute.iter().chain([&relative]).all(|a| *a > 0.0);
-    if !usable {
-        return Err("`absolute` and `relative` have to be positive, one number or one for each entry".into());
-    }
-    Ok(Reference { json: json.clone(), shape, numbers, absolute, relative })
-}
-
-/// The numbers of nested lists, and the lists' lengths; `None` if they are ragged or hold anything but numbers.
-pub fn flatten(value: &Value, numbers: &mut Vec<f64>) -> Option<Vec<usize>> {
-    match value {
-        Value::Number(number) => {
-            numbers.push(number.as_f64()?);
-            Some(Vec::new())
-        }
-        Value::Array(items) => {
-            let shapes: Option<Vec<_>> = items.iter().map(|item| flatten(item, numbers)).collect();
-            let shapes = shapes?;
-            let first = shapes.first().cloned().unwrap_or_default();
-            shapes.iter().all(|shape| *shape == first).then(|| [vec![items.len()], first].concat())
-        }
-        _ => None,
-    }
-}
-
-fn system(state: &Value, values: &BTreeMap<String, Reference>) -> Option<Parsed> {
-    let given = |name: &str| {
+/// The terms of (23): accelerations and multipliers of the state, the others from the values that come with every question.
+fn system(state: &Value, values: &BTreeMap<String, Reference>) -> Option<SystemState> {
+    let own = |name: &str| {
         let mut numbers = Vec::new();
         flatten(&state[name], &mut numbers).map(|_| DVector::from_vec(numbers))
     };
-    let (q_ddot, lambda) = (given("q_ddot")?, given("lambda")?);
     let [m, kq, f, Phi_q] = TERMS_OF_23 else { return None };
     let matrix = |name: &str| {
         let value = values.get(name)?;
@@ -238,20 +220,71 @@ fn system(state: &Value, values: &BTreeMap<String, Reference>) -> Option<Parsed>
         Some(DMatrix::from_row_slice(rows, columns, &value.numbers))
     };
     let vector = |name: &str| Some(DVector::from_vec(values.get(name)?.numbers.clone()));
-    let (m, kq, Phi_q, f) = (matrix(m)?, vector(kq)?, matrix(Phi_q)?, vector(f)?);
-    Some(Parsed::System(Box::new(SystemState { m, q_ddot, kq, Phi_q, lambda, f })))
+    Some(SystemState {
+        m: matrix(m)?,
+        q_ddot: own("q_ddot")?,
+        kq: vector(kq)?,
+        Phi_q: matrix(Phi_q)?,
+        lambda: own("lambda")?,
+        f: vector(f)?,
+    })
 }
 
 impl Case {
-    /// Reference values of some quantities, to be handed over; `None` if there are none.
-    pub fn given<'a>(&self, quantities: impl IntoIterator<Item = &'a str>) -> Option<Value> {
-        let stored = |id: &str| self.values.get(id).map(|value| (id.to_string(), value.json.clone()));
-        let table: Map<String, Value> = quantities.into_iter().filter_map(stored).collect();
-        (!table.is_empty()).then_some(Value::Object(table))
+    /// Reference values that are sent with a question: those of `quantities`, and for (23) the assembled terms.
+    pub(crate) fn given<'a>(&'a self, quantities: &[&'a str]) -> BTreeMap<&'a str, &'a Value> {
+        let terms = if matches!(self.state, State::System(_)) { TERMS_OF_23 } else { &[] };
+        let stored = |id: &&'a str| self.values.get(*id).map(|value| (*id, &value.json));
+        terms.iter().chain(quantities).filter_map(stored).collect()
+    }
+}
+
+impl Reference {
+    fn read(stored: &Value, per_point: bool) -> Result<Reference, String> {
+        let json = stored["f64"].clone();
+        let (mut numbers, mut absolute) = (Vec::new(), Vec::new());
+        let shape = flatten(&json, &mut numbers).ok_or("`f64` is no nested list of numbers")?;
+        flatten(&stored["absolute"], &mut absolute).ok_or("`absolute` is no nested list of numbers")?;
+        if let [all] = absolute[..] {
+            absolute.resize(numbers.len(), all);
+        }
+        let relative = read(&stored["relative"], "relative")?;
+        if absolute.len() != numbers.len() || !absolute.iter().chain([&relative]).all(|a| *a > 0.0) {
+            return Err(
+                "`absolute` and `relative` must be positive, `absolute` one number or one for each entry".into()
+            );
+        }
+        Ok(Reference { json, per_point, shape, numbers, absolute, relative })
     }
 
-    /// What is handed over with every question of this case.
-    pub fn terms(&self) -> &'static [&'static str] {
-        if matches!(self.parsed, Parsed::System(_)) { TERMS_OF_23 } else { &[] }
+    /// Shape of the value at one point, or of the whole value of an element.
+    pub(crate) fn shape_at_a_point(&self) -> &[usize] {
+        if self.per_point { self.shape.get(1..).unwrap_or_default() } else { &self.shape }
+    }
+
+    /// Entry with the largest error, and that error in tolerances. A NaN is the largest error of all.
+    pub(crate) fn worst_entry(&self, answer: &[f64]) -> (usize, f64) {
+        let entries = answer.iter().zip(&self.numbers).zip(&self.absolute).enumerate();
+        entries
+            .map(|(n, ((a, b), bound))| (n, (a - b).abs() / bound))
+            .fold((0, 0.0), |worst, next| if next.1 > worst.1 || next.1.is_nan() { next } else { worst })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::graph::GRAPH;
+
+    #[test]
+    fn every_quantity_is_asked_for_except_printed_forms_and_terms() {
+        let suite = Suite::embedded().unwrap();
+        let asked: BTreeSet<&str> = GRAPH.iter().map(|node| node.quantity).collect();
+        let stored = suite.quantities.keys().map(String::as_str);
+        let expected: BTreeSet<&str> =
+            stored.filter(|id| !id.contains("/printed") && *id != "23.Phi" && !TERMS_OF_23.contains(id)).collect();
+        assert_eq!(asked, expected);
     }
 }

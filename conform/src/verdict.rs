@@ -1,68 +1,69 @@
-//! One answer beside its reference value.
+//! One answer compared with its reference value.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::suite::Reference;
+use crate::suite::Reference;
 
-/// Digits that are shown at most: what f64 has.
-pub const MOST_DIGITS: f64 = 16.0;
+/// Largest number of correct digits that is reported: the precision of f64.
+const MOST_DIGITS: f64 = 16.0;
 
-/// What came of one question.
+/// Judgement of one answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Every entry is as near as it has to be.
+    /// Every entry is within its tolerance.
     Pass {
         /// Correct digits of the worst entry.
         digits: f64,
     },
-    /// Numbers, but wrong ones.
+    /// At least one number is out of tolerance.
     Wrong(Wrong),
-    /// The program says that it does not have this.
+    /// The program does not implement the quantity.
     NotImplemented,
-    /// No numbers that could be compared.
+    /// There are no numbers to compare.
     Fault(Fault),
 }
 
-/// An answer that is too far from its reference.
+/// An answer that is out of tolerance.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wrong {
     /// Correct digits of the worst entry; 0 if there are none.
     pub digits: f64,
-    /// Place of the worst entry, row by row.
+    /// Index of the worst entry, row by row, counted from 0.
     pub entry: usize,
-    /// What was answered there.
+    /// Answer in the worst entry.
     pub answered: f64,
-    /// What is right there.
+    /// Reference value of the worst entry.
     pub expected: f64,
-    /// All numbers.
+    /// All numbers of the answer, row by row.
     pub answer: Vec<f64>,
 }
 
-/// Why there are no numbers.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// Why an answer has no numbers to compare.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "fault", content = "detail")]
 pub enum Fault {
-    /// The program's own error message.
+    /// The program reported an error; `detail` is its message.
     Error(String),
-    /// Lists of other lengths.
+    /// The nested lists have the wrong lengths; `detail` names both.
     Shape(String),
-    /// NaN, infinite or null.
+    /// An entry is NaN, infinite or null; `detail` counts them.
     NotFinite(String),
-    /// A line that is no answer.
+    /// A line that is not an answer; `detail` quotes it.
     Garbage(String),
-    /// A line that does not end; the program was ended.
+    /// A line that does not end; the program was killed. `detail` is the length.
     Endless(String),
-    /// No answer in time; the program was ended.
+    /// No answer within the time limit; the program was killed. `detail` is the limit.
     TimeLimit(String),
-    /// The program ended.
+    /// The program ended; `detail` is its exit status and last message.
     Crash(String),
-    /// The program was ended too often before.
+    /// The question was not asked; `detail` is the reason.
     NotAsked(String),
 }
 
 impl Fault {
-    /// What it is, in a word or two.
-    pub fn word(&self) -> &'static str {
+    /// Short name for tables.
+    pub(crate) fn word(&self) -> &'static str {
         match self {
             Fault::Error(_) => "an error",
             Fault::Shape(_) => "another shape",
@@ -82,8 +83,8 @@ impl std::fmt::Display for Fault {
             Fault::Error(message) => write!(f, "error: {message}"),
             Fault::Shape(detail) => write!(f, "wrong shape: {detail}"),
             Fault::NotFinite(detail) => write!(f, "not finite: {detail}"),
-            Fault::Garbage(line) => write!(f, "no answer but {line}"),
-            Fault::Endless(length) => write!(f, "a line without an end: {length}; the program was ended"),
+            Fault::Garbage(line) => write!(f, "not an answer: {line}"),
+            Fault::Endless(length) => write!(f, "a line that does not end: {length}; the program was killed"),
             Fault::TimeLimit(limit) => write!(f, "no answer within {limit}"),
             Fault::Crash(how) => write!(f, "the program ended: {how}"),
             Fault::NotAsked(why) => write!(f, "not asked: {why}"),
@@ -92,14 +93,13 @@ impl std::fmt::Display for Fault {
 }
 
 impl Verdict {
-    /// Of an answer's numbers.
+    /// Compares the numbers of an answer, row by row, with a reference value.
     pub fn of(answer: Vec<f64>, reference: &Reference) -> Verdict {
-        let entries = answer.iter().zip(&reference.numbers).zip(&reference.absolute).enumerate();
-        let distance = |((a, b), bound): ((&f64, &f64), &f64)| (a - b).abs() / bound;
-        let (entry, worst) = entries.map(|(n, pair)| (n, distance(pair))).fold((0, 0.0), |worst, next| {
-            // A NaN is as far as can be.
-            if next.1 > worst.1 || next.1.is_nan() { (next.0, next.1) } else { worst }
-        });
+        if answer.len() != reference.numbers.len() {
+            let (found, expected) = (answer.len(), reference.numbers.len());
+            return Verdict::Fault(Fault::Shape(format!("{found} numbers; expected {expected}")));
+        }
+        let (entry, worst) = reference.worst_entry(&answer);
         let digits = (-(worst * reference.relative).log10()).clamp(0.0, MOST_DIGITS);
         if worst <= 1.0 {
             return Verdict::Pass { digits };
@@ -109,12 +109,17 @@ impl Verdict {
         Verdict::Wrong(Wrong { digits, entry, answered, expected, answer })
     }
 
-    /// Whether it is neither right nor left out.
+    /// Whether the answer passes.
+    pub fn passes(&self) -> bool {
+        matches!(self, Verdict::Pass { .. })
+    }
+
+    /// Whether the answer is wrong or has no numbers. A quantity that is not implemented does not fail.
     pub fn fails(&self) -> bool {
         matches!(self, Verdict::Wrong(_) | Verdict::Fault(_))
     }
 
-    /// Correct digits, where there are numbers.
+    /// Correct digits of the worst entry; `None` without numbers.
     pub fn digits(&self) -> Option<f64> {
         match self {
             Verdict::Pass { digits } | Verdict::Wrong(Wrong { digits, .. }) => Some(*digits),
@@ -130,11 +135,11 @@ mod tests {
 
     fn reference() -> Reference {
         let (numbers, absolute) = (vec![1.0, 200.0], vec![1e-13, 1e-11]);
-        Reference { json: Value::Null, shape: vec![2], numbers, absolute, relative: 1e-13 }
+        Reference { json: Value::Null, per_point: false, shape: vec![2], numbers, absolute, relative: 1e-13 }
     }
 
     #[test]
-    fn digits_are_those_of_the_worst_entry_in_its_own_size() {
+    fn digits_are_those_of_the_worst_entry_relative_to_its_own_tolerance() {
         // Half of the bound of the second entry, a tenth of that of the first.
         let verdict = Verdict::of(vec![1.0 + 1e-14, 200.0 + 5e-12], &reference());
         let Verdict::Pass { digits } = verdict else { panic!("{verdict:?}") };
@@ -143,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn one_entry_beyond_its_bound_is_wrong() {
+    fn one_entry_out_of_tolerance_is_wrong() {
         let verdict = Verdict::of(vec![1.0, 200.0 + 1e-4], &reference());
         let Verdict::Wrong(wrong) = verdict else { panic!("{verdict:?}") };
         assert_eq!((wrong.entry, wrong.expected), (1, 200.0));
@@ -152,7 +157,13 @@ mod tests {
     }
 
     #[test]
-    fn no_number_is_never_right() {
+    fn missing_numbers_fail() {
+        let verdict = Verdict::of(vec![1.0], &reference());
+        assert_eq!(verdict, Verdict::Fault(Fault::Shape("1 numbers; expected 2".into())));
+    }
+
+    #[test]
+    fn nan_and_infinity_fail() {
         for bad in [f64::NAN, f64::INFINITY] {
             for answer in [vec![bad, 200.0], vec![1.0, bad]] {
                 assert!(Verdict::of(answer.clone(), &reference()).fails(), "{answer:?}");

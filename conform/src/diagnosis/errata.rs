@@ -1,20 +1,22 @@
-//! The paper's printed errors, copied.
+//! Printed errors of the paper that were copied.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
-use super::stations::{self, K, stations};
-use super::{Candidate, Kind, candidate, possible, rows};
-use crate::suite::{Case, Parsed};
+use super::candidate::{Candidate, candidate, possible};
+use super::entries::rows;
+use super::mistake::MistakeKind::Erratum;
+use super::quadrature::{self, K, integrands};
+use crate::suite::{Case, State};
 use ancf::equations::element::Matrix14;
 use ancf::equations::force;
 use ancf::equations::material::LameConstants;
 use ancf::equations::shape::Vector14;
 use ancf::state::ElementState;
 
-/// What the paper prints, as the fixtures have it.
+/// Candidates with the printed forms of the fixtures.
 pub(super) fn of<'a>(quantity: &str, case: &'a Case) -> Vec<Candidate<'a>> {
     let printed = |what: &str, name: &'static str| {
-        vec![possible(Kind::Erratum, what, move || case.values.get(name).map(|value| value.numbers.clone()))]
+        vec![possible(Erratum, what, move || case.values.get(name).map(|value| value.numbers.clone()))]
     };
     let mut all = match quantity {
         "A.3.coefficients" => printed("E1: +r_k in a_1", "A.3.coefficients/printed"),
@@ -27,18 +29,18 @@ pub(super) fn of<'a>(quantity: &str, case: &'a Case) -> Vec<Candidate<'a>> {
         "23.residual" => printed("E4: Φ_q λ for Φ_qᵀ λ", "23.residual/printed"),
         _ => Vec::new(),
     };
-    if let Parsed::Element(state) = &case.parsed {
+    if let State::Element(state) = &case.state {
         all.extend(of_element(quantity, state));
     }
     all
 }
 
-/// The −1 of E2 alone, with heat as it should be, and both errors at once; E3 in the material part of the tangent alone.
+/// Candidates with a part of E2, the −1 without the missing heat, and with E2 and E3 together.
 fn of_element<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     let lame = LameConstants::from(state.moduli());
     let K_123 = move || {
         let (e, element, eps_T) = (Vector14::from(state.e), state.element(), state.eps_T());
-        let unit = K(&stations(&e, &element, &stations::exact(state)), |_| [0.0, 0.0, 1.0]);
+        let unit = K(&integrands(&e, &element, &quadrature::exact(state)), |_| [0.0, 0.0, 1.0]);
         let K_3 = force::K_3(&e, &eps_T, &element) - unit;
         (force::K_1(&e, &eps_T, &element), force::K_2(&e, &eps_T, &element), K_3)
     };
@@ -50,11 +52,11 @@ fn of_element<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>>
         sum(lame, &K_1, &K_2, &K_3)
     };
     match quantity {
-        "21.K_3" => vec![candidate(Kind::Erratum, "E2: −1 in K_3", move || rows(&K_123().2))],
-        "20.K" => sums.map(|(what, sum)| candidate(Kind::Erratum, what, move || rows(&summed(sum)))).into(),
+        "21.K_3" => vec![candidate(Erratum, "E2: −1 in K_3", move || rows(&K_123().2))],
+        "20.K" => sums.map(|(what, sum)| candidate(Erratum, what, move || rows(&summed(sum)))).into(),
         "19.Q_e" => {
             let e = Vector14::from(state.e);
-            sums.map(|(what, sum)| candidate(Kind::Erratum, what, move || rows(&force::Q_e(&e, &summed(sum))))).into()
+            sums.map(|(what, sum)| candidate(Erratum, what, move || rows(&force::Q_e(&e, &summed(sum))))).into()
         }
         _ => Vec::new(),
     }

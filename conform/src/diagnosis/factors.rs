@@ -1,45 +1,48 @@
-//! By how much each term of an equation would have to be multiplied to give the answers.
+//! Factors of an equation's terms that explain the answers.
 
 use std::collections::BTreeMap;
 
-use super::power::{Law, Numbers, Sample, fraction};
-use super::terms::{self, Term};
-use super::{Kind, LOOSE, Name, Observation, Seen};
+use super::mistake::Mistake;
+use super::mistake::MistakeKind::{Heat, Other, Sign};
+use super::observation::{LOOSE, Observation, Outcome};
+use super::power::{Numbers, PowerLaw, Sample, fraction};
+use super::terms;
+use super::terms::term::Term;
 use crate::suite::{Case, Reference};
 
-/// Terms that are multiplied in pairs, at most.
-const MOST: usize = 24;
-/// So many cases have to show a factor that is no constant.
-const SHOWN: usize = 3;
+/// Largest number of terms of which pairs are tried.
+const MOST_TERMS: usize = 24;
+/// Smallest number of cases that must show a factor that is not constant.
+const LEAST_CASES: usize = 3;
 
-/// One case: what was answered less what is right, and the terms, each entry in its tolerance.
+/// Error of the answer and the terms in one case, in tolerances.
 struct Scaled {
     excess: Vec<f64>,
     terms: Vec<Vec<f64>>,
 }
 
-/// What was answered less what is right, each entry in its tolerance; `None` without numbers.
-fn excess(seen: Seen, reference: &Reference) -> Option<Vec<f64>> {
-    match seen {
-        Seen::Right => Some(vec![0.0; reference.numbers.len()]),
-        Seen::Numbers(answer) => {
+/// Answer minus reference value, each entry in tolerances; `None` without numbers.
+fn excess(outcome: Outcome, reference: &Reference) -> Option<Vec<f64>> {
+    match outcome {
+        Outcome::Right => Some(vec![0.0; reference.numbers.len()]),
+        Outcome::Wrong(answer) => {
             let entries = answer.iter().zip(&reference.numbers).zip(&reference.absolute);
             Some(entries.map(|((answer, right), bound)| (answer - right) / bound).collect())
         }
-        Seen::Refused(_) | Seen::Fault(_) => None,
+        Outcome::Refused(_) | Outcome::Fault(_) => None,
     }
 }
 
-/// One term with one factor that gives every answer.
-pub(super) fn of_one_term(quantity: &str, judged: &[&Observation]) -> Vec<Name> {
+/// Mistakes that multiply one term by one factor.
+pub(super) fn of_one_term(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> {
     let mut by_name: BTreeMap<String, (bool, Vec<Sample>)> = BTreeMap::new();
     let mut first = true;
     for observation in judged {
         let Some(reference) = observation.case.values.get(quantity) else { continue };
-        let Some(excess) = excess(observation.seen, reference) else { return Vec::new() };
+        let Some(excess) = excess(observation.outcome, reference) else { return Vec::new() };
         let mut terms = terms::of(quantity, observation.case);
-        terms.extend(terms::parts(quantity, reference));
-        let mut still = BTreeMap::new();
+        terms.extend(terms::parts(reference));
+        let mut explained_by = BTreeMap::new();
         for term in terms {
             let mut samples = match by_name.remove(&term.name) {
                 Some((_, samples)) => samples,
@@ -48,21 +51,23 @@ pub(super) fn of_one_term(quantity: &str, judged: &[&Observation]) -> Vec<Name> 
             };
             match sample(&term, &excess, reference, observation.case) {
                 Explained::No => continue,
-                Explained::Without => {}
+                Explained::Always => {}
                 Explained::By(sample) => samples.push(sample),
             }
-            still.insert(term.name, (term.there, samples));
+            explained_by.insert(term.name, (term.belongs, samples));
         }
-        (by_name, first) = (still, false);
+        (by_name, first) = (explained_by, false);
     }
-    by_name.into_iter().filter_map(|(name, (there, samples))| name_of(&name, there, &samples)).collect()
+    by_name.into_iter().filter_map(|(name, (belongs, samples))| mistake(&name, belongs, &samples)).collect()
 }
 
-/// Whether a case can be explained by a factor of a term.
+/// Whether a factor of a term explains the answer in one case.
 enum Explained {
+    /// No factor explains the answer.
     No,
-    /// Nothing is wrong, and the term is zero.
-    Without,
+    /// Any factor does: the answer is right and the term is zero.
+    Always,
+    /// One factor does.
     By(Sample),
 }
 
@@ -72,50 +77,51 @@ fn sample(term: &Term, excess: &[f64], reference: &Reference, case: &Case) -> Ex
     let square: f64 = scaled.iter().map(|value| value * value).sum();
     let along = scaled.iter().zip(excess).map(|(term, excess)| term * excess).sum::<f64>();
     let added = if square > 0.0 { along / square } else { 0.0 };
-    // Where a mistake makes terms larger, they are rounded accordingly: `relative` of a value is so many of its tolerances.
+    // Terms that a mistake makes larger have larger rounding errors: `relative` times the excess, in tolerances.
     let explained = excess
         .iter()
         .zip(&scaled)
         .all(|(excess, term)| (excess - added * term).abs() <= LOOSE * (1.0 + reference.relative * excess.abs()));
-    let number = |key: &str| case.state[key].as_f64().unwrap_or(1.0);
+    let number = |key: &str| case.state_json[key].as_f64().unwrap_or(1.0);
     let of: Numbers = ["l", "h", "w", "rho", "E"].map(number);
-    let factor = if term.there { 1.0 + added } else { added };
+    let factor = if term.belongs { 1.0 + added } else { added };
     match explained {
         false => Explained::No,
-        true if size <= 10.0 * LOOSE => Explained::Without,
+        true if size <= 10.0 * LOOSE => Explained::Always,
         true => {
             Explained::By(Sample { factor, within: LOOSE * (1.0 + reference.relative * added.abs() * size) / size, of })
         }
     }
 }
 
-fn name_of(name: &str, there: bool, samples: &[Sample]) -> Option<Name> {
-    let neutral = if there { 1.0 } else { 0.0 };
+/// The mistake that a term's factors show; `None` if they follow no law, or are all neutral.
+fn mistake(name: &str, belongs: bool, samples: &[Sample]) -> Option<Mistake> {
+    let neutral = if belongs { 1.0 } else { 0.0 };
     let shows = |sample: &&Sample| (sample.factor - neutral).abs() > sample.within.max(1e-9);
     let shown = samples.iter().filter(shows).count();
-    let law = Law::of(samples).filter(|law| law.is_constant() || shown >= SHOWN)?;
+    let law = PowerLaw::of(samples).filter(|law| law.is_constant() || shown >= LEAST_CASES)?;
     if shown == 0 {
         return None;
     }
     let (kind, words) = law.words();
-    let of_foreign = if name.contains("ε_T") { Kind::Heat } else { Kind::Other };
-    match (there, kind) {
-        (true, _) => Some((kind, format!("{name} {words}"))),
-        (false, Kind::Sign) => Some((of_foreign, format!("less {name}, which is not there"))),
-        (false, _) => Some((of_foreign, format!("plus {name}, which is not there"))),
+    if belongs {
+        return Some(Mistake { kind, what: format!("{name} {words}") });
     }
+    let sign = if kind == Sign { "minus" } else { "plus" };
+    let kind = if name.contains("ε_T") { Heat } else { Other };
+    Some(Mistake { kind, what: format!("{sign} {name}, which does not belong there") })
 }
 
-/// Two terms with a factor each, both simple fractions, that give every answer.
-pub(super) fn of_two_terms(quantity: &str, judged: &[&Observation]) -> Vec<Name> {
+/// Mistakes that multiply two terms by a simple fraction each.
+pub(super) fn of_two_terms(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> {
     let mut names: Vec<String> = Vec::new();
     let mut cases: Vec<Scaled> = Vec::new();
     for observation in judged {
         let Some(reference) = observation.case.values.get(quantity) else { continue };
-        let Some(excess) = excess(observation.seen, reference) else { return Vec::new() };
-        let terms: Vec<Term> = terms::of(quantity, observation.case).into_iter().filter(|term| term.there).collect();
+        let Some(excess) = excess(observation.outcome, reference) else { return Vec::new() };
+        let terms: Vec<Term> = terms::of(quantity, observation.case).into_iter().filter(|term| term.belongs).collect();
         names = terms.iter().map(|term| term.name.clone()).collect();
-        if names.len() > MOST {
+        if names.len() > MOST_TERMS {
             return Vec::new();
         }
         let scaled = |term: Term| term.numbers.iter().zip(&reference.absolute).map(|(a, bound)| a / bound).collect();
@@ -139,15 +145,13 @@ pub(super) fn of_two_terms(quantity: &str, judged: &[&Observation]) -> Vec<Name>
             let explained = by_k != 0.0
                 && by_n != 0.0
                 && cases.iter().all(|Scaled { excess, terms }| {
-                    let entries = excess.iter().zip(terms[k].iter().zip(&terms[n]));
-                    entries
-                        .into_iter()
-                        .all(|(d, (a, b))| (d - by_k * a - by_n * b).abs() <= LOOSE * (1.0 + 1e-13 * d.abs()))
+                    let mut entries = excess.iter().zip(terms[k].iter().zip(&terms[n]));
+                    entries.all(|(d, (a, b))| (d - by_k * a - by_n * b).abs() <= LOOSE * (1.0 + 1e-13 * d.abs()))
                 });
             if explained {
-                let words = |by: f64| Law::constant(1.0 + by).words();
+                let words = |by: f64| PowerLaw::constant(1.0 + by).words();
                 let ((kind, of_n), (_, of_k)) = (words(by_n), words(by_k));
-                found.push((kind, format!("{} {of_n} and {} {of_k}", names[n], names[k])));
+                found.push(Mistake { kind, what: format!("{} {of_n} and {} {of_k}", names[n], names[k]) });
             }
         }
     }

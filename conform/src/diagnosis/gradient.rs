@@ -1,33 +1,35 @@
-//! Mistakes in (9), (10) and in the products of (21).
+//! Mistakes in (9), (10), (11) and in the products of (21).
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
 use nalgebra::Matrix2;
 
-use super::{Candidate, Kind, candidate, rows};
+use super::candidate::{Candidate, candidate};
+use super::entries::rows;
+use super::mistake::MistakeKind::{self, Factor, Other, Sign, Transpose};
 use ancf::equations::element::Matrix14;
 use ancf::equations::force::S_1;
 use ancf::equations::shape::{self, Vector14};
 use ancf::equations::strain;
 use ancf::state::ElementState;
 
-/// What a mistake makes of them.
-type Mistake = fn(&Gradients) -> Vec<f64>;
+/// Value of a quantity with a mistake, at one point.
+type Wrong = fn(&Gradients) -> Vec<f64>;
 
-/// At every point of the state.
+/// Candidates with their values at every point of the state.
 fn at_points<'a, const N: usize>(
     state: &'a ElementState,
-    list: [(Kind, &'static str, Mistake); N],
+    list: [(MistakeKind, &'static str, Wrong); N],
 ) -> Vec<Candidate<'a>> {
-    let value = move |of: Mistake| state.points.iter().flat_map(|&[x, y]| of(&Gradients::at(state, x, y))).collect();
+    let value = move |of: Wrong| state.points.iter().flat_map(|&[x, y]| of(&Gradients::at(state, x, y))).collect();
     list.map(|(kind, what, of)| candidate(kind, what, move || value(of))).into()
 }
 
-/// What (9) to (11) are made of at one point.
+/// Gradients and products of (9) to (11) at one point.
 struct Gradients {
-    /// ∂r/∂(x, y) of e.
+    /// Current gradient ∂r/∂(x, y), of e.
     now: Matrix2<f64>,
-    /// The same of e₀: J_0.
+    /// Initial gradient J_0, of e₀.
     first: Matrix2<f64>,
     /// J_0⁻¹.
     inverse: Matrix2<f64>,
@@ -52,24 +54,22 @@ fn I() -> Matrix2<f64> {
     Matrix2::identity()
 }
 
-/// Of one quantity.
-pub(super) fn of<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>> {
+/// Candidates for a quantity of (9) to (11) and (21).
+pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     match quantity {
         "9.J" => at_points(
             state,
             [
-                (Kind::Transpose, "J_0⁻ᵀ for J_0⁻¹", |g| rows(&(g.now * g.inverse.transpose()))),
-                (Kind::Transpose, "J_0⁻¹ from the left", |g| rows(&(g.inverse * g.now))),
-                (Kind::Transpose, "the gradient transposed before J_0⁻¹", |g| {
-                    rows(&(g.now.transpose() * g.inverse))
-                }),
-                (Kind::Other, "J_0 for J_0⁻¹", |g| rows(&(g.now * g.first))),
-                (Kind::Other, "without J_0⁻¹", |g| rows(&g.now)),
-                (Kind::Other, "the inverse: ∂r_0/∂r", |g| rows(&g.J.try_inverse().unwrap_or_else(Matrix2::zeros))),
-                (Kind::Other, "the initial r_x for that of now", |g| {
+                (Transpose, "J_0⁻ᵀ for J_0⁻¹", |g| rows(&(g.now * g.inverse.transpose()))),
+                (Transpose, "J_0⁻¹ multiplied from the left", |g| rows(&(g.inverse * g.now))),
+                (Transpose, "the gradient transposed before J_0⁻¹", |g| rows(&(g.now.transpose() * g.inverse))),
+                (Other, "J_0 for J_0⁻¹", |g| rows(&(g.now * g.first))),
+                (Other, "without J_0⁻¹", |g| rows(&g.now)),
+                (Other, "the inverse: ∂r_0/∂r", |g| rows(&g.J.try_inverse().unwrap_or_else(Matrix2::zeros))),
+                (Other, "the initial r_x for the current one", |g| {
                     rows(&(Matrix2::from_columns(&[g.first.column(0), g.now.column(1)]) * g.inverse))
                 }),
-                (Kind::Other, "the initial r_y for that of now", |g| {
+                (Other, "the initial r_y for the current one", |g| {
                     rows(&(Matrix2::from_columns(&[g.now.column(0), g.first.column(1)]) * g.inverse))
                 }),
             ],
@@ -77,39 +77,36 @@ pub(super) fn of<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'
         "10.epsilon_m" => at_points(
             state,
             [
-                (Kind::Transpose, "J Jᵀ for Jᵀ J", |g| rows(&(0.5 * (g.J * g.J.transpose() - I())))),
-                (Kind::Transpose, "J J for Jᵀ J", |g| rows(&(0.5 * (g.J * g.J - I())))),
-                (Kind::Other, "½ (J + Jᵀ) − I, the small strain", |g| {
-                    rows(&(0.5 * (g.J + g.J.transpose()) - I()))
-                }),
-                (Kind::Other, "½ (I − J⁻ᵀJ⁻¹), the strain of Almansi", |g| {
+                (Transpose, "J Jᵀ for Jᵀ J", |g| rows(&(0.5 * (g.J * g.J.transpose() - I())))),
+                (Transpose, "J J for Jᵀ J", |g| rows(&(0.5 * (g.J * g.J - I())))),
+                (Other, "½ (J + Jᵀ) − I, the small strain", |g| rows(&(0.5 * (g.J + g.J.transpose()) - I()))),
+                (Other, "½ (I − J⁻ᵀJ⁻¹), the Almansi strain", |g| {
                     let back = g.J.try_inverse().unwrap_or_else(Matrix2::zeros);
                     rows(&(0.5 * (I() - back.transpose() * back)))
                 }),
-                (Kind::Other, "½ (J − I)ᵀ(J − I)", |g| {
+                (Other, "½ (J − I)ᵀ(J − I)", |g| {
                     let H = g.J - I();
                     rows(&(0.5 * H.transpose() * H))
                 }),
             ],
         ),
-        "21.S_a1" => at_points(state, [(Kind::Transpose, "S_a for S_aᵀ + S_a", |g| rows(&g.S[0]))]),
-        "21.S_b1" => at_points(state, [(Kind::Transpose, "S_b for S_bᵀ + S_b", |g| rows(&g.S[1]))]),
+        "21.S_a1" => at_points(state, [(Transpose, "S_a for S_aᵀ + S_a", |g| rows(&g.S[0]))]),
+        "21.S_b1" => at_points(state, [(Transpose, "S_b for S_bᵀ + S_b", |g| rows(&g.S[1]))]),
         "21.S_c1" => at_points(
             state,
             [
-                (Kind::Transpose, "S_c + S_c for S_cᵀ + S_c", |g| rows(&(2.0 * g.S[2]))),
-                (Kind::Transpose, "S_cᵀ + S_cᵀ for S_cᵀ + S_c", |g| rows(&(2.0 * g.S[2].transpose()))),
-                (Kind::Transpose, "S_c for S_cᵀ + S_c", |g| rows(&g.S[2])),
-                (Kind::Transpose, "S_cᵀ for S_cᵀ + S_c", |g| rows(&g.S[2].transpose())),
-                (Kind::Sign, "S_cᵀ − S_c", |g| rows(&(g.S[2].transpose() - g.S[2]))),
-                (Kind::Sign, "S_c − S_cᵀ", |g| rows(&(g.S[2] - g.S[2].transpose()))),
-                (Kind::Other, "S_cᵀ S_c for S_cᵀ + S_c", |g| rows(&(g.S[2].transpose() * g.S[2]))),
+                (Transpose, "S_c + S_c for S_cᵀ + S_c", |g| rows(&(2.0 * g.S[2]))),
+                (Transpose, "S_cᵀ + S_cᵀ for S_cᵀ + S_c", |g| rows(&(2.0 * g.S[2].transpose()))),
+                (Transpose, "S_c for S_cᵀ + S_c", |g| rows(&g.S[2])),
+                (Transpose, "S_cᵀ for S_cᵀ + S_c", |g| rows(&g.S[2].transpose())),
+                (Sign, "S_cᵀ − S_c", |g| rows(&(g.S[2].transpose() - g.S[2]))),
+                (Sign, "S_c − S_cᵀ", |g| rows(&(g.S[2] - g.S[2].transpose()))),
+                (Other, "S_cᵀ S_c for S_cᵀ + S_c", |g| rows(&(g.S[2].transpose() * g.S[2]))),
             ],
         ),
-        "11.S_c" => at_points(
-            state,
-            [(Kind::Factor, "S_cᵀ + S_c: the shear counted twice, symmetrised already", |g| rows(&S_1(&g.S[2])))],
-        ),
+        "11.S_c" => {
+            at_points(state, [(Factor, "S_cᵀ + S_c, symmetrised already: twice the shear", |g| rows(&S_1(&g.S[2])))])
+        }
         _ => Vec::new(),
     }
 }

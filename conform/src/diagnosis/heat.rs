@@ -1,15 +1,16 @@
-//! Thermal strains with a mistake.
+//! Mistakes in the thermal strain.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
 use nalgebra::Vector3;
 
+use super::candidate::{Candidate, possible};
 use super::law::{HEATED, with_heat_and_law};
-use super::{Candidate, Kind, possible};
+use super::mistake::MistakeKind::{self, Factor, Heat, HeatAlongX, HeatOnShear, Sign, SinCos};
 use ancf::equations::strain;
 use ancf::state::{ElementState, ThermalModel, evaluate};
 
-/// The value for each of the strains of [`strains`].
+/// Candidates with each of the wrong thermal strains.
 pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     if !matches!(quantity, "8.epsilon_T" | "14.epsilon") && !HEATED.contains(&quantity) {
         return Vec::new();
@@ -20,26 +21,26 @@ pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidat
         .collect()
 }
 
-/// The components over αΔT that are taken for the right ones, (11, 22, 12) in global axes.
-fn directions(theta: f64) -> [(Kind, &'static str, [f64; 3]); 11] {
+/// Wrong thermal strains divided by αΔT, (11, 22, 12) in global axes.
+fn directions(theta: f64) -> [(MistakeKind, &'static str, [f64; 3]); 11] {
     let (sin, cos) = theta.sin_cos();
     [
-        (Kind::HeatOnShear, "αΔT on all three components", [1.0, 1.0, 1.0]),
-        (Kind::HeatOnShear, "2 sin θ cos θ on the shear component", [cos * cos, sin * sin, 2.0 * sin * cos]),
-        (Kind::HeatOnShear, "½ sin θ cos θ on the shear component", [cos * cos, sin * sin, 0.5 * sin * cos]),
-        (Kind::HeatOnShear, "−sin θ cos θ on the shear component", [cos * cos, sin * sin, -sin * cos]),
-        (Kind::HeatOnShear, "cos²θ, sin²θ and no heat on the shear component", [cos * cos, sin * sin, 0.0]),
-        (Kind::HeatAlongX, "[αΔT, 0, 0]", [1.0, 0.0, 0.0]),
-        (Kind::Heat, "[0, αΔT, 0]", [0.0, 1.0, 0.0]),
-        (Kind::SinCos, "cos θ and sin θ exchanged", [sin * sin, cos * cos, sin * cos]),
-        (Kind::Heat, "cos θ and sin θ for their squares", [cos, sin, sin * cos]),
-        (Kind::Heat, "cos θ, sin θ and no heat on the shear component", [cos, sin, 0.0]),
-        (Kind::Heat, "no heat", [0.0; 3]),
+        (HeatOnShear, "αΔT on all three components", [1.0, 1.0, 1.0]),
+        (HeatOnShear, "2 sin θ cos θ on the shear component", [cos * cos, sin * sin, 2.0 * sin * cos]),
+        (HeatOnShear, "½ sin θ cos θ on the shear component", [cos * cos, sin * sin, 0.5 * sin * cos]),
+        (HeatOnShear, "−sin θ cos θ on the shear component", [cos * cos, sin * sin, -sin * cos]),
+        (HeatOnShear, "cos²θ, sin²θ without the shear component", [cos * cos, sin * sin, 0.0]),
+        (HeatAlongX, "[αΔT, 0, 0]", [1.0, 0.0, 0.0]),
+        (Heat, "[0, αΔT, 0]", [0.0, 1.0, 0.0]),
+        (SinCos, "cos θ and sin θ exchanged", [sin * sin, cos * cos, sin * cos]),
+        (Heat, "cos θ and sin θ for their squares", [cos, sin, sin * cos]),
+        (Heat, "cos θ, sin θ without the shear component", [cos, sin, 0.0]),
+        (Heat, "no heat", [0.0; 3]),
     ]
 }
 
-/// Thermal strains with a mistake.
-fn strains(state: &ElementState) -> Vec<(Kind, String, Vector3<f64>)> {
+/// Wrong thermal strains of a state.
+fn strains(state: &ElementState) -> Vec<(MistakeKind, String, Vector3<f64>)> {
     let heat = state.alpha * state.dT;
     let right = state.eps_T();
     let mut all = Vec::new();
@@ -54,25 +55,25 @@ fn strains(state: &ElementState) -> Vec<(Kind, String, Vector3<f64>)> {
     let both = Vector3::new(heat, heat, 0.0);
     let along = strain::eps_T_1d(state.alpha, state.dT, state.theta);
     let where_heated = |wrong: Vector3<f64>| if state.model == ThermalModel::None { right } else { wrong };
-    // αΔT for another temperature.
+    // Factor on αΔT; without heat there is none.
     let scaled = |factor: f64| if heat == 0.0 { right } else { right * factor };
     let stretch = (1.0 + 2.0 * heat).max(0.0).sqrt() - 1.0;
     let unit = |model| ElementState { alpha: 1.0, dT: 1.0, model, ..state.clone() }.eps_T();
     let others = [
-        (Kind::HeatOnShear, "αΔT on the shear component too", where_heated(right + Vector3::z() * heat)),
-        (Kind::Heat, "2D heat in the 1D model", where_heated(both)),
-        (Kind::Heat, "1D heat in the 2D model", where_heated(along)),
-        (Kind::Heat, "2D heat where the model is none", if state.model == ThermalModel::None { both } else { right }),
-        (Kind::Heat, "1D heat where the model is none", if state.model == ThermalModel::None { along } else { right }),
-        (Kind::Sign, "heat with the other sign", -right),
-        (Kind::Factor, "half of the heat: αΔT for 2αΔT", 0.5 * right),
-        (Kind::Factor, "twice the heat", 2.0 * right),
-        (Kind::Heat, "(1 + ν)αΔT: heat of true plane strain", (1.0 + state.nu) * right),
-        (Kind::Heat, "√(1 + 2αΔT) − 1 for αΔT", scaled(stretch / heat)),
-        (Kind::Heat, "ΔT + 273.15: a change of temperature is no temperature", {
+        (HeatOnShear, "αΔT on the shear component too", where_heated(right + Vector3::z() * heat)),
+        (Heat, "2D heat in the 1D model", where_heated(both)),
+        (Heat, "1D heat in the 2D model", where_heated(along)),
+        (Heat, "2D heat where the model is none", if state.model == ThermalModel::None { both } else { right }),
+        (Heat, "1D heat where the model is none", if state.model == ThermalModel::None { along } else { right }),
+        (Sign, "heat with the wrong sign", -right),
+        (Factor, "half of the heat: αΔT for 2αΔT", 0.5 * right),
+        (Factor, "twice the heat", 2.0 * right),
+        (Heat, "(1 + ν)αΔT: thermal strain of true plane strain", (1.0 + state.nu) * right),
+        (Heat, "√(1 + 2αΔT) − 1 for αΔT", scaled(stretch / heat)),
+        (Heat, "ΔT + 273.15: ΔT is a difference of temperatures", {
             unit(state.model) * state.alpha * (state.dT + 273.15)
         }),
-        (Kind::Heat, "ΔT − 273.15: a change of temperature is no temperature", {
+        (Heat, "ΔT − 273.15: ΔT is a difference of temperatures", {
             unit(state.model) * state.alpha * (state.dT - 273.15)
         }),
     ];
@@ -80,7 +81,7 @@ fn strains(state: &ElementState) -> Vec<(Kind, String, Vector3<f64>)> {
     all
 }
 
-/// The value for another thermal strain.
+/// Value of a quantity with another thermal strain.
 fn with_heat(quantity: &str, state: &ElementState, eps_T: &Vector3<f64>) -> Option<Vec<f64>> {
     match quantity {
         "8.epsilon_T" => Some(eps_T.as_slice().to_vec()),

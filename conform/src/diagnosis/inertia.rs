@@ -1,28 +1,30 @@
-//! Mistakes in (6), (7) and in the weight: lumped masses.
+//! Lumped masses in (6), (7) and the weight.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
-use super::{Candidate, Kind, candidate, rows};
+use super::candidate::{Candidate, candidate};
+use super::entries::rows;
+use super::mistake::MistakeKind::Other;
 use ancf::equations::inertia;
 use ancf::equations::shape::Vector14;
 use ancf::state::ElementState;
 use nalgebra::SMatrix;
 
-/// Shares of the mass that r_i, r_j and r_k are given.
+/// Shares of the mass at r_i, r_j and r_k.
 const SHARES: [(&str, [f64; 3]); 3] = [
     ("a third on each node", [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0]),
     ("half on each end", [0.5, 0.0, 0.5]),
     ("a quarter on each end, half in the middle", [0.25, 0.5, 0.25]),
 ];
 
-/// The shares at the places of r_i, r_j and r_k in (4), for both components.
+/// Shares by coordinate of (4), for x and y.
 fn by_coordinate([i, j, k]: [f64; 3]) -> Vector14 {
     let vectors = [i, 0.0, j, 0.0, 0.0, k, 0.0];
     Vector14::from_fn(|n, _| vectors[n / 2])
 }
 
-/// Of one quantity.
-pub(super) fn of<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>> {
+/// Candidates with lumped masses.
+pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     if !matches!(quantity, "7.M" | "6.T" | "gravity.Q_w") {
         return Vec::new();
     }
@@ -30,11 +32,11 @@ pub(super) fn of<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'
     let lumped = SHARES.map(|(what, shares)| (format!("lumped: {what}"), mass * by_coordinate(shares)));
     if quantity == "gravity.Q_w" {
         let weight = |shares: Vector14| shares.component_mul(&Vector14::from_fn(|n, _| state.gravity[n % 2]));
-        return lumped.map(|(what, shares)| candidate(Kind::Other, what, move || rows(&weight(shares)))).into();
+        return lumped.map(|(what, shares)| candidate(Other, what, move || rows(&weight(shares)))).into();
     }
     let M = inertia::M(state.rho, &state.element());
     let mut diagonals = vec![
-        ("lumped: the sums of its rows on the diagonal".to_string(), M.column_sum()),
+        ("lumped: row sums on the diagonal".to_string(), M.column_sum()),
         ("its diagonal only".to_string(), M.diagonal()),
     ];
     diagonals.extend(lumped);
@@ -43,7 +45,7 @@ pub(super) fn of<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'
         let M = SMatrix::from_diagonal(&diagonal);
         let what = if quantity == "6.T" { format!("M {what}") } else { what };
         let of_T = quantity == "6.T";
-        candidate(Kind::Other, what, move || if of_T { vec![inertia::T(&M, &e_dot)] } else { rows(&M) })
+        candidate(Other, what, move || if of_T { vec![inertia::T(&M, &e_dot)] } else { rows(&M) })
     };
     diagonals.into_iter().map(of).collect()
 }

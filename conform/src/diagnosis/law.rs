@@ -1,19 +1,21 @@
-//! Poisson's ratio in other places of (17), and laws that are taken for (16).
+//! Mistakes in the moduli of (17) and in the constitutive law (16).
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
 use nalgebra::Vector3;
 
-use super::{Candidate, Kind, candidate, possible, rows};
+use super::candidate::{Candidate, candidate, possible};
+use super::entries::rows;
+use super::mistake::MistakeKind::Poisson;
 use ancf::equations::force;
 use ancf::equations::material::{self as law, LameConstants};
 use ancf::equations::shape::Vector14;
 use ancf::state::{ElementState, evaluate};
 
-/// Quantities that both heat and λ and μ enter, or their parts.
+/// Quantities that depend on the thermal strain and on λ and μ, and their parts.
 pub(super) const HEATED: [&str; 7] = ["18.U", "21.K_1", "21.K_2", "21.K_3", "20.K", "19.Q_e", "tangent.dQ_e"];
 
-/// Other constants: of (17) itself every product of powers, of what it enters the known mistakes.
+/// Candidates with other moduli: for (17) itself all products of powers, for quantities that use it the known mistakes.
 pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     match quantity {
         "17.lambda" => products(state, "λ"),
@@ -24,7 +26,7 @@ pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidat
     }
 }
 
-/// A bracket of (17), and its value for ν.
+/// Name and value of a bracket of (17) as a function of ν.
 type Bracket = (&'static str, fn(f64) -> f64);
 
 /// 2ᵃ E νᵇ (1 + ν)ᶜ (1 − ν)ᵈ (1 − 2ν)ᵉ (1 + 2ν)ᶠ with small exponents.
@@ -58,15 +60,15 @@ fn products<'a>(state: &'a ElementState, symbol: &str) -> Vec<Candidate<'a>> {
                     let product: f64 = brackets.map(|((_, bracket), n)| bracket(state.nu).powi(n)).product();
                     vec![factor * state.E * if with_nu { state.nu } else { 1.0 } * product]
                 };
-                all.push(candidate(Kind::Poisson, format!("{symbol} = {above}{below}{stress}"), value));
+                all.push(candidate(Poisson, format!("{symbol} = {above}{below}{stress}"), value));
             }
         }
     }
-    all.push(candidate(Kind::Poisson, format!("{symbol} = 0"), || vec![0.0]));
+    all.push(candidate(Poisson, format!("{symbol} = 0"), || vec![0.0]));
     all
 }
 
-/// Constants that are often taken for the right ones.
+/// Candidates with moduli that are often confused with those of (17).
 fn laws<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     let ElementState { E, nu, .. } = *state;
     let LameConstants { lambda, mu } = state.moduli().into();
@@ -95,11 +97,11 @@ fn laws<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
         ),
         _ => with_heat_and_law(quantity, state, &state.eps_T(), lame),
     };
-    let with = |(what, lambda, mu)| possible(Kind::Poisson, what, move || value(LameConstants { lambda, mu }));
+    let with = |(what, lambda, mu)| possible(Poisson, what, move || value(LameConstants { lambda, mu }));
     constants.map(with).into()
 }
 
-/// Energy, force, stiffness and tangent for another thermal strain and other constants.
+/// Energy, force, stiffness and tangent with another thermal strain and other moduli.
 pub(super) fn with_heat_and_law(
     quantity: &str,
     state: &ElementState,

@@ -1,10 +1,13 @@
-//! Answers in another order: nodal vectors, their x and y, rows and columns.
+//! Answers with permuted entries: nodal vectors, x and y, rows and columns.
 
-use super::places::own_shape;
-use super::{Candidate, Kind, candidate};
+use super::candidate::{Candidate, candidate};
+use super::mistake::MistakeKind::{self, NodeOrder, Transpose, XyOrder};
 use crate::suite::Reference;
 
-/// Orders in which a program may keep the seven vectors of (4): place in its e → place in (4).
+/// Names of the seven nodal vectors of (4).
+pub(super) const VECTORS: [&str; 7] = ["r_i", "r_y_i", "r_j", "r_x_j", "r_y_j", "r_k", "r_y_k"];
+
+/// Other orders of the seven vectors: index in the program's e → index in (4).
 const ORDERS: [(&str, [usize; 7]); 6] = [
     ("k before i", [5, 6, 2, 3, 4, 0, 1]),
     ("the ends first, then the middle: i, k, j", [0, 1, 5, 6, 2, 3, 4]),
@@ -14,52 +17,52 @@ const ORDERS: [(&str, [usize; 7]); 6] = [
     ("slopes before positions", [1, 0, 3, 4, 2, 6, 5]),
 ];
 
-/// Orders of the seven vectors, there and back.
+/// Other orders of the seven vectors, with their inverses.
 fn vector_orders() -> Vec<(String, [usize; 7])> {
     let mut orders = Vec::new();
     for (what, order) in ORDERS {
         let back = std::array::from_fn(|n| order.iter().position(|place| *place == n).unwrap_or(n));
         orders.push((what.to_string(), order));
         if back != order {
-            orders.push((format!("{what}, the other way round"), back));
+            orders.push((format!("{what}, inverted"), back));
         }
     }
     orders.push(("backwards".into(), std::array::from_fn(|n| 6 - n)));
     orders
 }
 
-/// Orders of the 14 coordinates.
-pub(super) fn coordinate_orders() -> Vec<(Kind, String, [usize; 14])> {
+/// Other orders of the 14 coordinates.
+pub(super) fn coordinate_orders() -> Vec<(MistakeKind, String, [usize; 14])> {
     let vectors = |order: [usize; 7]| std::array::from_fn(|n| 2 * order[n / 2] + n % 2);
-    let mut orders: Vec<(Kind, String, [usize; 14])> =
-        vector_orders().into_iter().map(|(what, order)| (Kind::NodeOrder, what, vectors(order))).collect();
+    let mut orders: Vec<(MistakeKind, String, [usize; 14])> =
+        vector_orders().into_iter().map(|(what, order)| (NodeOrder, what, vectors(order))).collect();
     for (what, ahead) in [("one place", 1), ("two places", 2), ("three places", 3), ("four places", 4)] {
-        orders.push((Kind::NodeOrder, format!("{what} late"), std::array::from_fn(|n| (n + ahead) % 14)));
-        orders.push((Kind::NodeOrder, format!("{what} early"), std::array::from_fn(|n| (n + 14 - ahead) % 14)));
+        orders.push((NodeOrder, format!("shifted back by {what}"), std::array::from_fn(|n| (n + ahead) % 14)));
+        orders.push((NodeOrder, format!("shifted forward by {what}"), std::array::from_fn(|n| (n + 14 - ahead) % 14)));
     }
-    orders.push((Kind::XyOrder, "y before x".into(), std::array::from_fn(|n| n ^ 1)));
-    orders.push((Kind::XyOrder, "all x, then all y".into(), std::array::from_fn(|n| 2 * (n % 7) + n / 7)));
+    orders.push((XyOrder, "y before x".into(), std::array::from_fn(|n| n ^ 1)));
+    orders.push((XyOrder, "all x, then all y".into(), std::array::from_fn(|n| 2 * (n % 7) + n / 7)));
     orders.push((
-        Kind::XyOrder,
-        "x and y taken in turn from halves".into(),
+        XyOrder,
+        "x and y interleaved from the two halves".into(),
         std::array::from_fn(|n| n / 2 + 7 * (n % 2)),
     ));
     orders
 }
 
-/// The answer in another order, and transposed.
-pub(super) fn of<'a>(quantity: &str, reference: &'a Reference) -> Vec<Candidate<'a>> {
+/// Candidates with permuted or transposed entries.
+pub(super) fn of(reference: &Reference) -> Vec<Candidate<'_>> {
     let mut all = Vec::new();
-    let shape = own_shape(quantity, reference);
+    let shape = reference.shape_at_a_point();
     let size = shape.iter().product::<usize>().max(1);
-    let mut add = |kind: Kind, what: String, place: Box<dyn Fn(usize) -> usize>| {
+    let mut add = |kind: MistakeKind, what: String, place: Box<dyn Fn(usize) -> usize>| {
         let at = move |n: usize| reference.numbers.get(n / size * size + place(n % size)).copied().unwrap_or(f64::NAN);
         all.push(candidate(kind, what, move || (0..reference.numbers.len()).map(&at).collect()));
     };
     if let [rows, columns] = *shape
         && rows == columns
     {
-        add(Kind::Transpose, "transposed".into(), Box::new(move |n| n % rows * rows + n / rows));
+        add(Transpose, "transposed".into(), Box::new(move |n| n % rows * rows + n / rows));
     }
     for (kind, what, order) in coordinate_orders() {
         let place: Box<dyn Fn(usize) -> usize> = match *shape {
@@ -73,11 +76,11 @@ pub(super) fn of<'a>(quantity: &str, reference: &'a Reference) -> Vec<Candidate<
     }
     if let [7] = *shape {
         for (what, order) in vector_orders() {
-            add(Kind::NodeOrder, format!("answered in another order: {what}"), Box::new(move |n| order[n]));
+            add(NodeOrder, format!("answered in another order: {what}"), Box::new(move |n| order[n]));
         }
     }
     if let [2] | [_, 2] = *shape {
-        add(Kind::XyOrder, "x and y exchanged".into(), Box::new(|n| n ^ 1));
+        add(XyOrder, "x and y exchanged".into(), Box::new(|n| n ^ 1));
     }
     if let [3] = *shape {
         for (what, order) in [
@@ -87,7 +90,7 @@ pub(super) fn of<'a>(quantity: &str, reference: &'a Reference) -> Vec<Candidate<
             ("22, 12, 11", [1, 2, 0]),
             ("12, 11, 22", [2, 0, 1]),
         ] {
-            add(Kind::XyOrder, what.into(), Box::new(move |n| order[n]));
+            add(XyOrder, what.into(), Box::new(move |n| order[n]));
         }
     }
     all

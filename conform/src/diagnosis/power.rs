@@ -1,22 +1,22 @@
-//! Factors as people write them: fractions, and powers of what an element has.
+//! Factors as products of a simple fraction and powers of l, h, w, ρ and E.
 
-use super::Kind;
+use super::mistake::MistakeKind::{self, Factor, Missing, Sign};
 
-/// What can stand in a factor, and the exponents that are tried.
-pub(super) const NAMES: [(&str, i32); 5] = [("l", 3), ("h", 2), ("w", 1), ("ρ", 1), ("E", 1)];
-/// Numbers of one case, in the order of [`NAMES`]; 1 where a case has none.
+/// Quantities in a factor, each with the largest exponent that is tried.
+const NAMES: [(&str, i32); 5] = [("l", 3), ("h", 2), ("w", 1), ("ρ", 1), ("E", 1)];
+/// Values of [`NAMES`] in one case; 1 for a quantity that the case lacks.
 pub(super) type Numbers = [f64; 5];
-/// Largest denominator and numerator that are taken for a fraction.
+/// Largest denominator and numerator of a simple fraction.
 const SIMPLE: i32 = 16;
 
-/// A factor by which a term is too large, in one case.
+/// Factor of a term in one case.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sample {
     /// The factor.
     pub factor: f64,
-    /// How well it is known.
+    /// Uncertainty of the factor.
     pub within: f64,
-    /// What it may be made of.
+    /// Values of which the factor may be composed.
     pub of: Numbers,
 }
 
@@ -28,14 +28,14 @@ impl Sample {
 
 /// A number times powers of [`NAMES`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Law {
+pub(super) struct PowerLaw {
     number: f64,
     exponents: [i32; 5],
 }
 
-impl Law {
-    /// The simplest law that gives all factors.
-    pub(super) fn of(samples: &[Sample]) -> Option<Law> {
+impl PowerLaw {
+    /// Simplest law that gives all factors.
+    pub(super) fn of(samples: &[Sample]) -> Option<PowerLaw> {
         let best = samples.iter().min_by(|a, b| a.within.total_cmp(&b.within))?;
         let mut all = exponents();
         all.sort_by_key(|exponents| exponents.iter().map(|n| n.abs()).sum::<i32>());
@@ -43,37 +43,37 @@ impl Law {
             let raw = best.factor / product(&best.of, &exponents);
             let fraction = fraction(raw, best.within / raw.abs() + 1e-10);
             let constant = exponents == [0; 5];
-            // A number that is no fraction says something only if it stands alone; zero needs no powers.
+            // A number that is not a simple fraction is evidence only without powers; zero needs no powers.
             let number = fraction.map_or(raw, |(p, q)| f64::from(p) / f64::from(q));
             if (fraction.is_none() || number == 0.0) && !constant {
                 return None;
             }
-            let law = Law { number, exponents };
+            let law = PowerLaw { number, exponents };
             samples.iter().all(|sample| sample.is(law.value(&sample.of))).then_some(law)
         })
     }
 
-    /// A factor that is the same everywhere.
-    pub(super) fn constant(number: f64) -> Law {
-        Law { number, exponents: [0; 5] }
+    /// Law of a constant factor.
+    pub(super) fn constant(number: f64) -> PowerLaw {
+        PowerLaw { number, exponents: [0; 5] }
     }
 
     fn value(&self, of: &Numbers) -> f64 {
         self.number * product(of, &self.exponents)
     }
 
-    /// Whether it is a constant.
+    /// Whether the factor is constant.
     pub(super) fn is_constant(&self) -> bool {
         self.exponents == [0; 5]
     }
 
-    /// Its kind, and what it says of a term.
-    pub(super) fn words(&self) -> (Kind, String) {
+    /// Kind of the mistake, and the factor in words that follow the name of a term.
+    pub(super) fn words(&self) -> (MistakeKind, String) {
         if !self.is_constant() {
             return self.power_words();
         }
         let size = match self.number.abs() {
-            0.0 => return (Kind::Missing, "missing".into()),
+            0.0 => return (Missing, "missing".into()),
             0.25 => "a quarter".into(),
             0.5 => "half".into(),
             1.0 => String::new(),
@@ -82,13 +82,13 @@ impl Law {
             _ => format!("times {}", number_words(self.number.abs())),
         };
         match (self.number < 0.0, size.as_str()) {
-            (true, "") => (Kind::Sign, "with the other sign".into()),
-            (true, size) => (Kind::Sign, format!("with the other sign and {size}")),
-            (false, size) => (Kind::Factor, size.into()),
+            (true, "") => (Sign, "with the wrong sign".into()),
+            (true, size) => (Sign, format!("with the wrong sign and {size}")),
+            (false, size) => (Factor, size.into()),
         }
     }
 
-    fn power_words(&self) -> (Kind, String) {
+    fn power_words(&self) -> (MistakeKind, String) {
         let of_sign = |sign: i32| -> Vec<String> {
             let power = |((name, _), n): (&(&str, i32), &i32)| match n.abs() {
                 1 => name.to_string(),
@@ -99,8 +99,8 @@ impl Law {
         };
         let (above, below) = (of_sign(1), of_sign(-1));
         match (&above[..], &below[..], self.number) {
-            ([], [one], 1.0) => return (Kind::Missing, format!("without the factor {one}")),
-            ([one], [], 1.0) => return (Kind::Factor, format!("times {one}: once too often, or not divided by it")),
+            ([], [one], 1.0) => return (Missing, format!("without the factor {one}")),
+            ([one], [], 1.0) => return (Factor, format!("times {one}: one factor too many, or a missing division")),
             _ => {}
         }
         let number = number_words(self.number);
@@ -114,11 +114,11 @@ impl Law {
             [one] => format!("times {above}/{one}"),
             many => format!("times {above}/({})", many.join(" ")),
         };
-        (if self.exponents.iter().all(|n| *n <= 0) { Kind::Missing } else { Kind::Factor }, words)
+        (if self.exponents.iter().all(|n| *n <= 0) { Missing } else { Factor }, words)
     }
 }
 
-/// All exponents that are tried.
+/// All combinations of exponents.
 fn exponents() -> Vec<[i32; 5]> {
     let mut all = vec![[0; 5]];
     for (place, (_, most)) in NAMES.iter().enumerate() {
@@ -140,7 +140,7 @@ fn product(of: &Numbers, exponents: &[i32; 5]) -> f64 {
     of.iter().zip(exponents).map(|(value, n)| value.powi(*n)).product()
 }
 
-/// The fraction with the smallest denominator that a number is, if it is a simple one.
+/// Simple fraction with the smallest denominator that equals a number; `None` if there is none.
 pub(super) fn fraction(number: f64, within: f64) -> Option<(i32, i32)> {
     (1..=SIMPLE).find_map(|q| {
         let p = (number * f64::from(q)).round();

@@ -1,21 +1,29 @@
-//! Mistakes made here by hand, and the kind that is found for them.
+//! Mistakes made by hand, and the diagnosis of each.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
-use super::*;
-use crate::suite::{Parsed, Suite};
-use ancf::state::{ElementState, ThermalModel, evaluate};
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
+
+use ancf::state::{ElementState, ThermalModel, evaluate};
+
+use super::diagnose::{Diagnosis, diagnose};
+use super::entries::rows;
+use super::mistake::{Mistake, MistakeKind};
+use super::observation::{Observation, Outcome};
+use super::quadrature;
+use crate::suite::{Case, Reference, State, Suite};
+use crate::verdict::Fault;
 
 static SUITE: LazyLock<Suite> = LazyLock::new(|| Suite::embedded().unwrap());
 
 /// What is found where `answer` gives the numbers for a state with its right ones.
-fn found(quantity: &str, answer: impl Fn(&ElementState, &Reference) -> Vec<f64>) -> Finding {
+fn found(quantity: &str, answer: impl Fn(&ElementState, &Reference) -> Vec<f64>) -> Diagnosis {
     let answers: Vec<(&Case, Vec<f64>)> = SUITE
         .cases
         .iter()
-        .filter_map(|case| match &case.parsed {
-            Parsed::Element(state) => Some((case, answer(state, case.values.get(quantity)?))),
+        .filter_map(|case| match &case.state {
+            State::Element(state) => Some((case, answer(state, case.values.get(quantity)?))),
             _ => None,
         })
         .collect();
@@ -24,19 +32,23 @@ fn found(quantity: &str, answer: impl Fn(&ElementState, &Reference) -> Vec<f64>)
         .map(|(case, numbers)| {
             let right = &case.values[quantity];
             let agrees = numbers.iter().zip(&right.numbers).zip(&right.absolute).all(|((a, b), t)| (a - b).abs() <= *t);
-            Observation { case, seen: if agrees { Seen::Right } else { Seen::Numbers(numbers) } }
+            Observation { case, outcome: if agrees { Outcome::Right } else { Outcome::Wrong(numbers) } }
         })
         .collect();
-    assert!(observations.iter().any(|o| o.seen != Seen::Right), "{quantity}: nothing is wrong");
+    assert!(observations.iter().any(|o| o.outcome != Outcome::Right), "{quantity}: nothing is wrong");
     diagnose(quantity, &observations)
 }
 
-fn kinds(finding: &Finding) -> Vec<Kind> {
-    finding.kinds.iter().map(|(kind, _)| *kind).collect()
+fn kinds(finding: &Diagnosis) -> Vec<MistakeKind> {
+    finding.mistakes.iter().map(|mistake| mistake.kind).collect()
 }
 
 #[track_caller]
-fn assert_first(quantity: &str, kind: Kind, answer: impl Fn(&ElementState, &Reference) -> Vec<f64>) -> Finding {
+fn assert_first(
+    quantity: &str,
+    kind: MistakeKind,
+    answer: impl Fn(&ElementState, &Reference) -> Vec<f64>,
+) -> Diagnosis {
     let finding = found(quantity, answer);
     assert_eq!(kinds(&finding).first(), Some(&kind), "{quantity}: {finding:?}");
     finding
@@ -51,20 +63,20 @@ fn printed_errors_are_told_by_their_names() {
         ("19.Q_e", "19.Q_e/printed-shear", "E3"),
         ("tangent.dQ_e", "tangent.dQ_e/printed-shear", "E3"),
     ] {
-        let finding = assert_first(right, Kind::Erratum, |state, _| evaluate(printed, state).unwrap());
-        assert!(finding.kinds[0].1.starts_with(name), "{finding:?}");
+        let finding = assert_first(right, MistakeKind::Erratum, |state, _| evaluate(printed, state).unwrap());
+        assert!(finding.mistakes[0].what.starts_with(name), "{finding:?}");
     }
 }
 
 #[test]
 fn signs_factors_and_missing_terms() {
-    assert_first("7.M", Kind::Sign, |_, right| right.numbers.iter().map(|m| -m).collect());
-    assert_first("6.T", Kind::Factor, |_, right| right.numbers.iter().map(|t| 2.0 * t).collect());
+    assert_first("7.M", MistakeKind::Sign, |_, right| right.numbers.iter().map(|m| -m).collect());
+    assert_first("6.T", MistakeKind::Factor, |_, right| right.numbers.iter().map(|t| 2.0 * t).collect());
     // ½ JᵀJ without the −½ I.
-    let finding = assert_first("10.epsilon_m", Kind::Missing, |_, right| {
+    let finding = assert_first("10.epsilon_m", MistakeKind::Missing, |_, right| {
         right.numbers.iter().enumerate().map(|(n, eps)| eps + if n % 4 % 3 == 0 { 0.5 } else { 0.0 }).collect()
     });
-    assert_eq!(finding.kinds[0].1, "−½ I missing");
+    assert_eq!(finding.mistakes[0].what, "−½ I missing");
 }
 
 #[test]
@@ -72,7 +84,7 @@ fn transposes_are_told_from_symmetric_cases() {
     let transposed = |_: &ElementState, right: &Reference| {
         right.numbers.chunks(4).flat_map(|J| [J[0], J[2], J[1], J[3]]).collect::<Vec<_>>()
     };
-    assert!(kinds(&found("9.J", transposed)).contains(&Kind::Transpose));
+    assert!(kinds(&found("9.J", transposed)).contains(&MistakeKind::Transpose));
     let finding = found("10.epsilon_m", |state, _| {
         let J = evaluate("9.J", state).unwrap();
         let left = |J: &[f64]| {
@@ -81,7 +93,7 @@ fn transposes_are_told_from_symmetric_cases() {
         };
         J.chunks(4).flat_map(left).collect()
     });
-    assert_eq!(finding.kinds, [(Kind::Transpose, "J Jᵀ for Jᵀ J".to_string())]);
+    assert_eq!(finding.mistakes, [Mistake { kind: MistakeKind::Transpose, what: "J Jᵀ for Jᵀ J".into() }]);
 }
 
 #[test]
@@ -90,17 +102,17 @@ fn heat_and_poissons_ratio() {
         ThermalModel::OneD => vec![state.alpha * state.dT, 0.0, 0.0],
         _ => right.numbers.clone(),
     };
-    let finding = assert_first("8.epsilon_T", Kind::HeatAlongX, along_x);
+    let finding = assert_first("8.epsilon_T", MistakeKind::HeatAlongX, along_x);
     assert_eq!(finding.only_where, ["1d"]);
     let on_shear = |state: &ElementState, right: &Reference| match state.model {
         ThermalModel::TwoD => vec![state.alpha * state.dT; 3],
         _ => right.numbers.clone(),
     };
-    let finding = assert_first("8.epsilon_T", Kind::HeatOnShear, on_shear);
+    let finding = assert_first("8.epsilon_T", MistakeKind::HeatOnShear, on_shear);
     assert_eq!(finding.entries, ["(3)"]);
     let plane_stress = |state: &ElementState, _: &Reference| vec![state.E * state.nu / (1.0 - state.nu * state.nu)];
-    let finding = assert_first("17.lambda", Kind::Poisson, plane_stress);
-    assert_eq!(finding.kinds[0].1, "λ = Eν/((1 + ν)(1 − ν)): plane stress");
+    let finding = assert_first("17.lambda", MistakeKind::Poisson, plane_stress);
+    assert_eq!(finding.mistakes[0].what, "λ = Eν/((1 + ν)(1 − ν)): plane stress");
 }
 
 #[test]
@@ -111,37 +123,39 @@ fn orders_in_e_and_the_angle() {
             evaluate("1.r", &ElementState { e, ..state.clone() }).unwrap()
         }
     };
-    assert_first("1.r", Kind::NodeOrder, misread([0, 1, 5, 6, 2, 3, 4]));
-    assert_first("gravity.Q_w", Kind::XyOrder, |_, right| right.numbers.chunks(2).flat_map(|v| [v[1], v[0]]).collect());
+    assert_first("1.r", MistakeKind::NodeOrder, misread([0, 1, 5, 6, 2, 3, 4]));
+    assert_first("gravity.Q_w", MistakeKind::XyOrder, |_, right| {
+        right.numbers.chunks(2).flat_map(|v| [v[1], v[0]]).collect()
+    });
     let exchanged = |state: &ElementState, _: &Reference| {
         let theta = std::f64::consts::FRAC_PI_2 - state.theta;
         evaluate("11.S_c", &ElementState { theta, ..state.clone() }).unwrap()
     };
-    assert_first("11.S_c", Kind::SinCos, exchanged);
+    assert_first("11.S_c", MistakeKind::SinCos, exchanged);
 }
 
 #[test]
 fn single_precision_is_no_wrong_formula() {
     let single = |_: &ElementState, right: &Reference| right.numbers.iter().map(|x| f64::from(*x as f32)).collect();
-    assert_first("21.K_1", Kind::Digits, single);
+    assert_first("21.K_1", MistakeKind::Digits, single);
 }
 
 #[test]
 fn nothing_is_said_where_nothing_fits() {
     let finding = found("1.r", |state, right| right.numbers.iter().map(|r| r + state.l.sqrt()).collect());
-    assert_eq!(finding.kinds, []);
+    assert_eq!(finding.mistakes, []);
 }
 
 #[test]
 fn nan_in_some_states_invents_no_kind() {
     let fault = Fault::NotFinite("1 of its entries".into());
-    let seen = |case: &Case| if case.tags.contains(&"1d".into()) { Seen::Fault(&fault) } else { Seen::Right };
+    let seen = |case: &Case| if case.tags.contains(&"1d".into()) { Outcome::Fault(&fault) } else { Outcome::Right };
     let observations: Vec<Observation> = (SUITE.cases.iter())
         .filter(|case| case.values.contains_key("8.epsilon_T"))
-        .map(|case| Observation { case, seen: seen(case) })
+        .map(|case| Observation { case, outcome: seen(case) })
         .collect();
     let finding = diagnose("8.epsilon_T", &observations);
-    assert_eq!((finding.kinds, finding.only_where), (vec![], vec!["1d".to_string()]));
+    assert_eq!((finding.mistakes, finding.only_where), (vec![], vec!["1d".to_string()]));
     assert_eq!(finding.without_numbers, BTreeMap::from([("NaN or infinite", finding.failing)]));
     assert!(finding.failing > 3);
 }
@@ -151,14 +165,14 @@ fn numbers_that_are_all_but_right_have_no_kind_but_too_few_digits() {
     let finding = found("21.K_1", |_, right| {
         right.numbers.iter().zip(&right.absolute).map(|(number, bound)| number + 20.0 * bound).collect()
     });
-    assert_eq!(kinds(&finding), [Kind::Digits]);
+    assert_eq!(kinds(&finding), [MistakeKind::Digits]);
 }
 
 #[test]
 fn powers_of_a_length_and_any_fraction_are_found() {
     let times = |quantity: &str, factor: fn(&ElementState) -> f64| {
         let finding = found(quantity, |state, right| right.numbers.iter().map(|x| x * factor(state)).collect());
-        finding.kinds.into_iter().map(|(_, what)| what).collect::<Vec<_>>()
+        finding.mistakes.into_iter().map(|mistake| mistake.what).collect::<Vec<_>>()
     };
     assert_eq!(times("7.M", |state| 4.0 / (state.l * state.h)), ["all of it times 4/(l h)"]);
     assert_eq!(times("gravity.Q_w", |state| 1.0 / state.rho), ["all of it without the factor ρ"]);
@@ -167,63 +181,67 @@ fn powers_of_a_length_and_any_fraction_are_found() {
     let finding = found("A.3.coefficients", |state, right| {
         right.numbers.iter().enumerate().map(|(n, a)| if n / 2 == 5 { a * state.l } else { *a }).collect()
     });
-    assert_eq!(finding.kinds, [(Kind::Factor, "row 6 times l: once too often, or not divided by it".to_string())]);
+    let what = "row 6 times l: one factor too many, or a missing division".into();
+    assert_eq!(finding.mistakes, [Mistake { kind: MistakeKind::Factor, what }]);
 }
 
 #[test]
 fn two_terms_at_once() {
     let finding =
         found("11.S_b", |state, _| evaluate("11.S_b", &ElementState { theta: -state.theta, ..state.clone() }).unwrap());
-    assert!(kinds(&finding).contains(&Kind::Sign), "{finding:?}");
-    let finding = assert_first("22.residual", Kind::Sign, |state, right| {
+    assert!(kinds(&finding).contains(&MistakeKind::Sign), "{finding:?}");
+    let finding = assert_first("22.residual", MistakeKind::Sign, |state, right| {
         let (Q_e, Q_w) = (evaluate("19.Q_e", state).unwrap(), evaluate("gravity.Q_w", state).unwrap());
         right.numbers.iter().zip(Q_e.iter().zip(Q_w)).map(|(sum, (Q_e, Q_w))| sum - 2.0 * Q_e + 1.5 * Q_w).collect()
     });
-    assert_eq!(finding.kinds[0].1, "Q_e with the other sign and −Q_w with the other sign and half");
+    assert_eq!(finding.mistakes[0].what, "Q_e with the wrong sign and −Q_w with the wrong sign and half");
 }
 
 #[test]
 fn rules_configurations_and_copied_lines() {
-    assert_first("21.K_3", Kind::Quadrature, |state, right| {
-        let rule = stations::points(state, stations::gauss(2), stations::gauss(3), |xi, eta| (xi, eta));
+    assert_first("21.K_3", MistakeKind::Quadrature, |state, right| {
+        let rule = quadrature::points(state, quadrature::gauss(2), quadrature::gauss(3), |xi, eta| (xi, eta));
         let (e, element, eps_T) = (state.e.into(), state.element(), state.eps_T());
-        let K = stations::K(&stations::stations(&e, &element, &rule), |s| [0.0, 0.0, stations::bracket(s, &eps_T, 2)]);
+        let K = quadrature::K(&quadrature::integrands(&e, &element, &rule), |s| {
+            [0.0, 0.0, quadrature::bracket(s, &eps_T, 2)]
+        });
         assert_eq!(right.numbers.len(), 196);
         rows(&K)
     });
-    let finding = assert_first("9.J_0", Kind::Other, |state, _| {
+    let finding = assert_first("9.J_0", MistakeKind::Other, |state, _| {
         evaluate("9.J_0", &ElementState { e0: state.e, ..state.clone() }).unwrap()
     });
-    assert_eq!(finding.kinds[0].1, "e in the place of e0");
-    assert_first("11.S_b", Kind::Other, |state, _| evaluate("11.S_a", state).unwrap());
+    assert_eq!(finding.mistakes[0].what, "e read for e0");
+    assert_first("11.S_b", MistakeKind::Other, |state, _| evaluate("11.S_a", state).unwrap());
     let finding = found("tangent.dQ_e", |state, right| {
         let lambda = evaluate("17.lambda", state).unwrap()[0];
         let (e, element) = (state.e.into(), state.element());
-        let at = stations::stations(&e, &element, &stations::exact(state));
+        let at = quadrature::integrands(&e, &element, &quadrature::exact(state));
         let skew = [[0.0, lambda, 0.0], [-lambda, 0.0, 0.0], [0.0; 3]];
-        let more = rows(&stations::material(&at, |s| s.S_1.map(|S_1| S_1 * e), skew));
+        let more = rows(&quadrature::material(&at, |s| s.S_1.map(|S_1| S_1 * e), skew));
         right.numbers.iter().zip(more).map(|(right, more)| right + more).collect()
     });
-    assert!(finding.kinds[0].1.starts_with("2 a bᵀ for a bᵀ + b aᵀ"), "{finding:?}");
+    assert!(finding.mistakes[0].what.starts_with("2 a bᵀ for a bᵀ + b aᵀ"), "{finding:?}");
 }
 
 #[test]
 fn the_tangents_own_part_by_another_rule() {
     for (points_of, name) in [(2, "2 × 3 Gauss points"), (4, "4 × 3 Gauss points")] {
         // With K as it is handed over.
-        let finding = assert_first("tangent.dQ_e", Kind::Quadrature, |state, right| {
+        let finding = assert_first("tangent.dQ_e", MistakeKind::Quadrature, |state, right| {
             let (lambda, mu) = (evaluate("17.lambda", state).unwrap()[0], evaluate("17.mu", state).unwrap()[0]);
             let stiff = lambda + 2.0 * mu;
             let weights = [[stiff, lambda, 0.0], [lambda, stiff, 0.0], [0.0, 0.0, 4.0 * mu]];
             let (e, element) = (state.e.into(), state.element());
             let part = |rule: &[ancf::equations::volume::Point]| {
-                stations::material(&stations::stations(&e, &element, rule), |s| s.S_1.map(|S_1| S_1 * e), weights)
+                quadrature::material(&quadrature::integrands(&e, &element, rule), |s| s.S_1.map(|S_1| S_1 * e), weights)
             };
-            let coarse = stations::points(state, stations::gauss(points_of), stations::gauss(3), |xi, eta| (xi, eta));
-            let more = rows(&(part(&coarse) - part(&stations::exact(state))));
+            let coarse =
+                quadrature::points(state, quadrature::gauss(points_of), quadrature::gauss(3), |xi, eta| (xi, eta));
+            let more = rows(&(part(&coarse) - part(&quadrature::exact(state))));
             right.numbers.iter().zip(more).map(|(right, more)| right + more).collect()
         });
-        assert_eq!(finding.kinds[0].1, name);
+        assert_eq!(finding.mistakes[0].what, name);
     }
 }
 
@@ -233,8 +251,8 @@ fn errors_and_other_shapes_alone_have_no_kind() {
         for quantity in ["3.S", "7.M", "17.mu", "8.epsilon_T", "21.K_3", "19.Q_e"] {
             let of_quantity = SUITE.cases.iter().filter(|case| case.values.contains_key(quantity));
             let observations: Vec<Observation> =
-                of_quantity.map(|case| Observation { case, seen: Seen::Refused(&fault) }).collect();
-            assert_eq!(diagnose(quantity, &observations).kinds, [], "{quantity}");
+                of_quantity.map(|case| Observation { case, outcome: Outcome::Refused(&fault) }).collect();
+            assert_eq!(diagnose(quantity, &observations).mistakes, [], "{quantity}");
         }
     }
 }

@@ -4,14 +4,14 @@
 
 use nalgebra::{DVector, SVector, Vector2};
 
-use super::super::rows;
-use super::{Term, term};
+use super::term::{Term, term};
+use crate::diagnosis::entries::rows;
 use ancf::equations::inertia;
 use ancf::equations::motion;
 use ancf::equations::shape::Vector14;
 use ancf::state::{ElementState, SystemState, evaluate};
 
-/// Of one element.
+/// Terms of (22).
 pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
     let motion_of_one = matches!(quantity, "22.residual" | "22.eddot");
     let Some(Q_e) = evaluate("19.Q_e", state).filter(|_| motion_of_one) else { return Vec::new() };
@@ -24,10 +24,10 @@ pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
     }
     let zero = SVector::zeros();
     let solved = |Q_e: &Vector14, Q_w: &Vector14| motion::acceleration(&M, Q_e, Q_w).map(|a| rows(&a));
-    named([("what Q_e adds", solved(&Q_e, &zero)), ("what Q_w adds", solved(&zero, &Q_w))])
+    named([("the share of Q_e", solved(&Q_e, &zero)), ("the share of Q_w", solved(&zero, &Q_w))])
 }
 
-/// Of a structure.
+/// Terms of (23).
 pub(super) fn of_system(quantity: &str, system: &SystemState) -> Vec<Term> {
     let SystemState { m, q_ddot, kq, Phi_q, lambda, f } = system;
     let zero = DVector::zeros(kq.len());
@@ -43,13 +43,13 @@ pub(super) fn of_system(quantity: &str, system: &SystemState) -> Vec<Term> {
             term("−f", rows(&(-f))),
         ],
         "23.acceleration" | "23.lambda" => {
-            named([("what k q adds", solved(kq, &zero)), ("what f adds", solved(&zero, f))])
+            named([("the share of k q", solved(kq, &zero)), ("the share of f", solved(&zero, f))])
         }
         _ => Vec::new(),
     }
 }
 
-/// The terms that have a value.
+/// Terms that have a value, with their names.
 fn named<const N: usize>(terms: [(&str, Option<Vec<f64>>); N]) -> Vec<Term> {
     terms.into_iter().filter_map(|(name, numbers)| Some(term(name, numbers?))).collect()
 }

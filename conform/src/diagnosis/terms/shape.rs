@@ -4,11 +4,12 @@
 
 use nalgebra::Vector2;
 
-use super::super::reading::VECTORS;
-use super::{Term, at_points, term};
+use super::term::{Term, at_points, term};
+use crate::diagnosis::layout::VECTORS;
 use ancf::equations::shape::{self, Vector14};
 use ancf::state::ElementState;
 
+/// Terms of (1) to (5) and (A.1) to (A.4).
 pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
     let l = state.l;
     let c = shape::coefficients(&shape::nodes(&Vector14::from(state.e)), l);
@@ -40,7 +41,7 @@ pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
     }
 }
 
-/// S₁ … S₇: whether y or l stands before it, and the coefficients of aⁿ.
+/// S₁ … S₇: factor 1, y or l, and the coefficients of aⁿ with a = x/l.
 const POLYNOMIALS: [(char, [f64; 4]); 7] = [
     ('1', [1.0, -5.0, 8.0, -4.0]),
     ('y', [1.0, -3.0, 2.0, 0.0]),
@@ -83,7 +84,7 @@ fn of_functions(derivative: Option<char>, state: &ElementState) -> Vec<Term> {
     terms
 }
 
-/// Terms of (A.3): the row, then the nodal vectors' shares in it.
+/// Terms of (A.3): the shares of the nodal vectors in each row.
 fn of_coefficients(state: &ElementState) -> Vec<Term> {
     let v = |k: usize| Vector2::new(state.e[2 * k], state.e[2 * k + 1]);
     let l = state.l;

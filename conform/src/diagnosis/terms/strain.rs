@@ -4,13 +4,14 @@
 
 use nalgebra::Vector3;
 
-use super::super::rows;
-use super::{Term, at_points, foreign};
+use super::term::{Term, at_points, foreign};
+use crate::diagnosis::entries::rows;
 use ancf::equations::material as law;
 use ancf::equations::shape::{self, Vector14};
 use ancf::equations::strain;
 use ancf::state::ElementState;
 
+/// Terms of (10) to (16) and of the products in (21).
 pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
     let (e, element, eps_T) = (Vector14::from(state.e), state.element(), state.eps_T());
     let S_abc = |x, y| strain::S_abc(x, y, &element);
@@ -35,8 +36,8 @@ pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
                 vec![vec![0.5 * e.dot(&([S_a, S_b, S_c][k] * e))], vec![-0.5], vec![eps_T[k]]]
             };
             let mut terms = at_points(state, &[["½ eᵀS_a e", "½ eᵀS_b e", "½ eᵀS_c e"][k], "−½", "ε_T"], halves);
-            terms[1].there = k < 2;
-            terms[2].there = false;
+            terms[1].belongs = k < 2;
+            terms[2].belongs = false;
             terms
         }
         "12.epsilon_f" => {
@@ -46,12 +47,12 @@ pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
         "14.epsilon" => at_points(state, &["ε_f", "−ε_T"], |x, y| vec![rows(&eps_f(x, y)), rows(&(-eps_T))]),
         "15.sigma" => {
             let D = law::D(state.moduli().into());
-            let names = ["what ε_1 adds", "what ε_2 adds", "what ε_3 adds", "D ε_T"];
+            let names = ["the share of ε_1", "the share of ε_2", "the share of ε_3", "D ε_T"];
             let mut terms = at_points(state, &names, |x, y| {
                 let eps = eps_f(x, y) - eps_T;
                 (0..3).map(|n| rows(&(D.column(n) * eps[n]))).chain([rows(&(D * eps_T))]).collect()
             });
-            terms[3].there = false;
+            terms[3].belongs = false;
             terms
         }
         "21.S_a1" | "21.S_b1" | "21.S_c1" => at_points(state, &["S", "Sᵀ"], |x, y| {
@@ -67,7 +68,7 @@ pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
     }
 }
 
-/// The four products of (11).
+/// The four products in S_a, S_b or S_c of (11).
 fn of_metric(quantity: &str, state: &ElementState) -> Vec<Term> {
     let (sin, cos) = state.theta.sin_cos();
     let factors = match quantity {

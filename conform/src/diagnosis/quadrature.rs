@@ -1,4 +1,4 @@
-//! The integrals of (18) and (21) with their parts apart, so that each can be left out or changed, and rules to integrate by.
+//! Quadrature rules, and the integrals of (18) and (21) with separate parts that can be omitted or changed.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
@@ -11,24 +11,24 @@ use ancf::equations::strain::S_abc;
 use ancf::equations::volume::{GAUSS_3, GAUSS_5, Point, gauss_points};
 use ancf::state::ElementState;
 
-/// What the integrands are made of at one point.
-pub(super) struct Station {
+/// Parts of the integrands of (18) and (21) at one point.
+pub(super) struct Integrand {
     /// S_a, S_b, S_c.
     pub S: [Matrix14; 3],
-    /// Their symmetric parts, S_a1, S_b1, S_c1.
+    /// S_a1, S_b1, S_c1 of (21).
     pub S_1: [Matrix14; 3],
     /// eᵀS e of each.
     pub form: [f64; 3],
-    /// Volume.
+    /// Volume that belongs to the point.
     pub dV: f64,
 }
 
-/// The points of a rule that is exact for (18) and (21).
+/// Points of a rule that is exact for (18) and (21).
 pub(super) fn exact(state: &ElementState) -> Vec<Point> {
     gauss_points(state.l, state.h, state.w).into()
 }
 
-/// Gauss's rules with one to five points on \[−1, 1\].
+/// Gauss's rules with one, two and four points on \[−1, 1\]: (point, weight).
 const GAUSS_1: [(f64, f64); 1] = [(0.0, 2.0)];
 const GAUSS_2: [(f64, f64); 2] = [(-0.577_350_269_189_625_8, 1.0), (0.577_350_269_189_625_8, 1.0)];
 const GAUSS_4: [(f64, f64); 4] = [
@@ -38,7 +38,7 @@ const GAUSS_4: [(f64, f64); 4] = [
     (0.861_136_311_594_052_6, 0.347_854_845_137_453_85),
 ];
 
-/// Gauss's rule with that many points.
+/// Gauss's rule with one to five points.
 pub(super) fn gauss(points: usize) -> &'static [(f64, f64)] {
     match points {
         1 => &GAUSS_1,
@@ -49,7 +49,7 @@ pub(super) fn gauss(points: usize) -> &'static [(f64, f64)] {
     }
 }
 
-/// The points of two rules on an element, moved on \[−1, 1\] first.
+/// Points of the product of two rules on an element; `moved` changes the natural coordinates ξ and η first.
 pub(super) fn points(
     state: &ElementState,
     along: &[(f64, f64)],
@@ -65,60 +65,60 @@ pub(super) fn points(
     pairs.map(point).collect()
 }
 
-/// The integrands at points.
-pub(super) fn stations(e: &Vector14, element: &Element, points: &[Point]) -> Vec<Station> {
+/// Parts of the integrands at quadrature points.
+pub(super) fn integrands(e: &Vector14, element: &Element, points: &[Point]) -> Vec<Integrand> {
     let at = |p: &Point| {
         let (S_a, S_b, S_c) = S_abc(p.x, p.y, element);
         let S = [S_a, S_b, S_c];
-        Station { S_1: S.map(|S| S_1(&S)), form: S.map(|S| e.dot(&(S * e))), S, dV: p.dV }
+        Integrand { S_1: S.map(|S| S_1(&S)), form: S.map(|S| e.dot(&(S * e))), S, dV: p.dV }
     };
     points.iter().map(at).collect()
 }
 
-/// ¼ ∫ Σ weightₖ S_k1 dV with weights by the station.
-pub(super) fn K(stations: &[Station], weights: impl Fn(&Station) -> [f64; 3]) -> Matrix14 {
+/// ¼ ∫ Σ weightₖ S_k1 dV.
+pub(super) fn K(integrands: &[Integrand], weights: impl Fn(&Integrand) -> [f64; 3]) -> Matrix14 {
     let mut K = Matrix14::zeros();
-    for station in stations {
-        let weights = weights(station);
-        for (S_1, weight) in station.S_1.iter().zip(weights) {
+    for integrand in integrands {
+        let weights = weights(integrand);
+        for (S_1, weight) in integrand.S_1.iter().zip(weights) {
             if weight != 0.0 {
-                K += S_1 * (0.25 * weight * station.dV);
+                K += S_1 * (0.25 * weight * integrand.dV);
             }
         }
     }
     K
 }
 
-/// ¼ ∫ Σ weightₖₙ Bₖ Bₙᵀ dV: what K's own change with e adds to the tangent; Bₖ = S_k1 e, or what is taken for it.
+/// ¼ ∫ Σ weightₖₙ Bₖ Bₙᵀ dV with Bₖ = S_k1 e: the part of the tangent from the derivative of K by e.
 pub(super) fn material(
-    stations: &[Station],
-    B: impl Fn(&Station) -> [Vector14; 3],
+    integrands: &[Integrand],
+    B: impl Fn(&Integrand) -> [Vector14; 3],
     weights: [[f64; 3]; 3],
 ) -> Matrix14 {
     let mut sum = Matrix14::zeros();
-    for station in stations {
-        let B = B(station);
+    for integrand in integrands {
+        let B = B(integrand);
         for (k, row) in weights.iter().enumerate() {
             for (n, weight) in row.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
-                sum += B[k] * B[n].transpose() * (0.25 * weight * station.dV);
+                sum += B[k] * B[n].transpose() * (0.25 * weight * integrand.dV);
             }
         }
     }
     sum
 }
 
-/// Twice the strain without heat less twice the heat: the brackets of (21).
-pub(super) fn bracket(station: &Station, eps_T: &Vector3<f64>, k: usize) -> f64 {
-    station.form[k] - [1.0, 1.0, 0.0][k] - 2.0 * eps_T[k]
+/// Bracket k of (21): twice the strain, thermal strain subtracted.
+pub(super) fn bracket(integrand: &Integrand, eps_T: &Vector3<f64>, k: usize) -> f64 {
+    integrand.form[k] - [1.0, 1.0, 0.0][k] - 2.0 * eps_T[k]
 }
 
 /// ∫ εₖ εₙ dV.
-pub(super) fn product(stations: &[Station], eps_T: &Vector3<f64>, k: usize, n: usize) -> f64 {
-    let eps = |station: &Station, k: usize| 0.5 * bracket(station, eps_T, k);
-    stations.iter().map(|station| eps(station, k) * eps(station, n) * station.dV).sum()
+pub(super) fn product(integrands: &[Integrand], eps_T: &Vector3<f64>, k: usize, n: usize) -> f64 {
+    let eps = |integrand: &Integrand, k: usize| 0.5 * bracket(integrand, eps_T, k);
+    integrands.iter().map(|integrand| eps(integrand, k) * eps(integrand, n) * integrand.dV).sum()
 }
 
 /// ∫ εₙ dV.
-pub(super) fn mean(stations: &[Station], eps_T: &Vector3<f64>, n: usize) -> f64 {
-    stations.iter().map(|station| 0.5 * bracket(station, eps_T, n) * station.dV).sum()
+pub(super) fn mean(integrands: &[Integrand], eps_T: &Vector3<f64>, n: usize) -> f64 {
+    integrands.iter().map(|integrand| 0.5 * bracket(integrand, eps_T, n) * integrand.dV).sum()
 }

@@ -1,0 +1,144 @@
+//! Diagnosis of a wrong quantity: which known mistakes explain its answers.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use ancf::state::ElementState;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::candidate::Candidate;
+use super::entries::wrong_entries;
+use super::mistake::{Mistake, MistakeKind};
+use super::observation::{LOOSE, Observation, Outcome, distance};
+use super::{angle, copied, errata, factors, gradient, heat, inertia, integral, law, layout, reading};
+use crate::suite::{Case, Reference, State};
+
+/// Largest number of mistakes that are named.
+const MOST_NAMED: usize = 3;
+/// Number of correct digits from which a wrong answer counts as the right formula, computed imprecisely.
+const IMPRECISE_DIGITS: i32 = 6;
+
+/// Diagnosis of a wrong quantity.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Diagnosis {
+    /// Mistakes that explain all answers that are numbers, likelier ones first; at most three. Empty if no known mistake does.
+    #[serde(rename = "kinds")]
+    pub mistakes: Vec<Mistake>,
+    /// Tags that all failing cases have and no right one.
+    pub only_where: Vec<String>,
+    /// Indices of the wrong entries, such as (3, 7), counted from 1. Empty for a number and for more than four entries.
+    pub entries: Vec<String>,
+    /// Number of failing cases. For cases that were asked again with `given`, the second answer counts.
+    pub failing: usize,
+    /// Number of failing cases without numbers, by fault.
+    pub without_numbers: BTreeMap<&'static str, usize>,
+}
+
+/// Finds the mistakes that explain the answers to a quantity.
+pub fn diagnose(quantity: &str, observations: &[Observation]) -> Diagnosis {
+    let mut without_numbers = BTreeMap::new();
+    for observation in observations {
+        if let Outcome::Refused(fault) | Outcome::Fault(fault) = observation.outcome {
+            *without_numbers.entry(fault.word()).or_default() += 1;
+        }
+    }
+    Diagnosis {
+        mistakes: mistakes(quantity, observations),
+        only_where: common_tags(observations),
+        entries: wrong_entries(quantity, observations),
+        failing: observations.iter().filter(|o| o.outcome != Outcome::Right).count(),
+        without_numbers,
+    }
+}
+
+/// Mistakes that explain every answer, at least one of them wrong. Faults are no evidence.
+fn mistakes(quantity: &str, observations: &[Observation]) -> Vec<Mistake> {
+    let answered = |o: &&Observation| !matches!(o.outcome, Outcome::Fault(_)) && o.case.values.contains_key(quantity);
+    let (right, failing): (Vec<&Observation>, Vec<&Observation>) =
+        observations.iter().filter(answered).partition(|o| o.outcome == Outcome::Right);
+    // Errors and wrong shapes alone are no evidence of a mistake in a formula.
+    if !failing.iter().any(|o| matches!(o.outcome, Outcome::Wrong(_))) {
+        return Vec::new();
+    }
+    // Failing cases come first because they exclude most candidates.
+    let judged = [failing, right].concat();
+    let mut found = deliberate_mistakes(quantity, &judged);
+    found.extend(factors::of_one_term(quantity, &judged));
+    if found.is_empty() {
+        found.extend(factors::of_two_terms(quantity, &judged));
+    }
+    if found.is_empty() && imprecise(quantity, &judged) {
+        let what = "the right formula: single precision, a difference quotient or a coarse quadrature".into();
+        found.push(Mistake { kind: MistakeKind::Digits, what });
+    }
+    found.sort();
+    found.dedup();
+    found.truncate(MOST_NAMED);
+    found
+}
+
+/// Candidates that explain every answer.
+fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> {
+    let mut found: Option<BTreeSet<Mistake>> = None;
+    for observation in judged {
+        let Some(reference) = observation.case.values.get(quantity) else { continue };
+        let fitting = candidates(quantity, observation.case, reference)
+            .into_iter()
+            .filter(|candidate| found.as_ref().is_none_or(|found| found.contains(&candidate.mistake)))
+            .filter(|candidate| explains(candidate, observation.outcome, reference))
+            .map(|candidate| candidate.mistake);
+        found = Some(fitting.collect());
+        if found.as_ref().is_some_and(BTreeSet::is_empty) {
+            break;
+        }
+    }
+    found.into_iter().flatten().collect()
+}
+
+/// All candidates for a quantity in one case. Wrong factors are not among them.
+fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -> Vec<Candidate<'a>> {
+    let mut all = errata::of(quantity, case);
+    all.extend(layout::of(reference));
+    all.extend(copied::of(quantity, case, reference));
+    if let State::Element(state) = &case.state {
+        type Of = for<'a> fn(&'a str, &'a ElementState) -> Vec<Candidate<'a>>;
+        let all_of: [Of; 7] = [angle::of, heat::of, law::of, gradient::of, inertia::of, integral::of, reading::of];
+        all.extend(all_of.into_iter().flat_map(|of| of(quantity, state)));
+    }
+    all
+}
+
+/// Whether a candidate explains an answer. It explains a wrong one only if it is nearer than half the distance of the reference value.
+fn explains(candidate: &Candidate, outcome: Outcome, reference: &Reference) -> bool {
+    let value = (candidate.value)();
+    match (outcome, value) {
+        (Outcome::Right, Some(value)) => distance(&value, &reference.numbers, reference) <= LOOSE,
+        (Outcome::Wrong(answer), Some(value)) => {
+            let away = distance(&value, answer, reference);
+            away <= LOOSE && 2.0 * away < distance(&reference.numbers, answer, reference)
+        }
+        (Outcome::Refused(_), None) => true,
+        _ => false,
+    }
+}
+
+/// Tags that all failing cases have and no right one.
+fn common_tags(observations: &[Observation]) -> Vec<String> {
+    let (right, failing): (Vec<&Observation>, Vec<&Observation>) =
+        observations.iter().partition(|o| o.outcome == Outcome::Right);
+    let Some(first) = failing.first() else { return Vec::new() };
+    let everywhere = |tag: &&String| failing.iter().all(|o| o.case.tags.contains(tag));
+    let nowhere_else = |tag: &&String| !right.is_empty() && !right.iter().any(|o| o.case.tags.contains(tag));
+    first.case.tags.iter().filter(everywhere).filter(nowhere_else).cloned().collect()
+}
+
+/// Whether every answer has some correct digits.
+fn imprecise(quantity: &str, judged: &[&Observation]) -> bool {
+    judged.iter().all(|observation| match (observation.outcome, observation.case.values.get(quantity)) {
+        (Outcome::Right, _) => true,
+        (Outcome::Wrong(answer), Some(reference)) => {
+            reference.worst_entry(answer).1 * reference.relative <= 10f64.powi(-IMPRECISE_DIGITS)
+        }
+        _ => false,
+    })
+}

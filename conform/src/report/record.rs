@@ -1,0 +1,382 @@
+//! The report as data: `conformance.json`.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::blame::{self, Blame, Follower};
+use crate::diagnosis::{Diagnosis, Mistake};
+use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
+use crate::graph::equation;
+use crate::protocol::Hello;
+use crate::subject::Chatter;
+use crate::suite::{InvalidCase, Suite};
+use crate::verdict::{Fault, Verdict};
+
+/// Name and version of the report's format.
+const SCHEMA: &str = "ancf-conformance/1";
+/// Largest number of faults that are listed for a quantity.
+const MOST_FAULTS: usize = 3;
+/// Mistake of a program that answers zero everywhere. It does not show a common cause.
+const ZEROS: &str = "all of it missing";
+
+/// Report on a program: which of its equations are wrong, and which mistakes explain that.
+///
+/// Serialised, it is `conformance.json`.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Report {
+    /// Name and version of this format.
+    #[schemars(extend("const" = SCHEMA))]
+    pub schema: &'static str,
+    /// Version of `ancf`.
+    pub ancf: &'static str,
+    /// Version of each fixture file.
+    pub fixtures: BTreeMap<String, String>,
+    /// The program under test.
+    pub program: Program,
+    /// Lines on its standard output that are not JSON objects.
+    pub chatter: Chatter,
+    /// Whether no answer failed, every invalid state that was asked for was refused, and something is implemented.
+    pub passes: bool,
+    /// The culprit to look at first; null if there is none.
+    pub first_wrong: Option<CulpritResult>,
+    /// Quantities that are wrong although their inputs are right, inputs before the quantities that use them.
+    pub culprits: Vec<CulpritResult>,
+    /// Quantities without numbers in any case. Whether their equations are wrong is unknown.
+    pub silent: Vec<&'static str>,
+    /// Wrong quantities with a wrong input.
+    pub follow: Vec<Follower>,
+    /// Results by quantity, in the order of the questions.
+    pub quantities: Vec<QuantityResult>,
+    /// Counts by tag over all quantities. `invalid` counts the states that must be refused.
+    pub tags: BTreeMap<String, Counts>,
+    /// Results for the states that must be refused.
+    pub invalid: Vec<InvalidResult>,
+    /// Number of questions.
+    pub questions: usize,
+    /// Number of times that the program was started.
+    pub starts: usize,
+    /// Duration of the examination, s.
+    pub seconds: f64,
+}
+
+/// The program under test.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Program {
+    /// Name that the program gives itself; its command if it did not answer hello.
+    pub name: String,
+    /// Whether it accepts intermediate values.
+    pub given: bool,
+    /// What came in place of an answer to hello; null if it answered.
+    pub no_hello: Option<String>,
+    /// Names in hello that are not asked for.
+    pub unknown: Vec<String>,
+}
+
+/// A quantity that is wrong although its inputs are right.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct CulpritResult {
+    /// The quantity, with the evidence that it is wrong.
+    #[serde(flatten)]
+    pub blame: blame::Culprit,
+    /// Number of its equation in the paper, or a word for an equation that the paper omits.
+    pub equation: &'static str,
+    /// The mistakes that explain it.
+    #[serde(flatten)]
+    pub diagnosis: Diagnosis,
+    /// Earlier culprit that shows the same mistake; null if there is none.
+    pub same_as: Option<&'static str>,
+}
+
+/// Counts of cases.
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+pub struct Counts {
+    /// Number of right answers.
+    pub pass: usize,
+    /// Number of wrong answers and of answers without numbers of the right shape.
+    pub fail: usize,
+    /// Number of answers that are not implemented.
+    pub not_implemented: usize,
+    /// Correct digits of the worst answer that has numbers, at most 16; null without numbers.
+    #[schemars(range(min = 0, max = 16))]
+    pub digits: Option<f64>,
+}
+
+/// Result for one quantity.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct QuantityResult {
+    /// Name of the quantity.
+    pub quantity: &'static str,
+    /// Number of its equation in the paper, or a word for an equation that the paper omits.
+    pub equation: &'static str,
+    /// Counts of its cases.
+    #[serde(flatten)]
+    pub counts: Counts,
+    /// Names of the failing cases.
+    pub failing: Vec<String>,
+    /// The failing case with the fewest tags; null if none fails.
+    pub smallest_failing: Option<FailingCase>,
+    /// The first three different faults.
+    pub faults: Vec<CaseFault>,
+    /// Short names of all faults.
+    #[serde(skip)]
+    pub fault_words: BTreeSet<&'static str>,
+}
+
+/// A failing case.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct FailingCase {
+    /// Name of the case.
+    pub case: String,
+    /// Tags of the case.
+    pub tags: Vec<String>,
+    /// How it fails.
+    #[serde(flatten)]
+    pub failure: Failure,
+}
+
+/// How a case fails.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Failure {
+    /// Some numbers are out of tolerance.
+    Wrong {
+        /// Index of the worst entry, row by row through all nested lists, counted from 0.
+        entry: usize,
+        /// Answer in the worst entry, in the quantity's unit.
+        answered: f64,
+        /// Reference value of the worst entry, in the quantity's unit.
+        expected: f64,
+        /// Correct digits of the worst entry.
+        #[schemars(range(min = 0, max = 16))]
+        digits: f64,
+    },
+    /// There are no numbers to compare.
+    Fault {
+        /// What came in place of numbers, in words.
+        fault: String,
+    },
+}
+
+/// A fault in one case.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct CaseFault {
+    /// Name of the case.
+    pub case: String,
+    /// What came in place of numbers.
+    pub fault: Fault,
+}
+
+/// Result for a state that must be refused.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct InvalidResult {
+    /// The state.
+    #[serde(flatten)]
+    pub case: InvalidCase,
+    /// What the program did.
+    #[serde(flatten)]
+    pub verdict: InvalidVerdict,
+}
+
+impl Report {
+    /// Writes the report on an examination with the questions of `suite`.
+    pub fn new(suite: &Suite, examination: &Examination) -> Report {
+        let culprits = culprits(&examination.blame, &examination.diagnoses);
+        let hello = examination.hello.as_ref();
+        Report {
+            schema: SCHEMA,
+            ancf: env!("CARGO_PKG_VERSION"),
+            fixtures: suite.versions.clone(),
+            program: Program {
+                name: examination.name().into(),
+                given: hello.is_ok_and(|hello| hello.given),
+                no_hello: hello.err().map(ToString::to_string),
+                unknown: hello.into_iter().flat_map(Hello::unknown).map(String::from).collect(),
+            },
+            chatter: examination.chatter.clone(),
+            passes: examination.passes(),
+            first_wrong: culprits.iter().find(|culprit| culprit.blame.numbers).or(culprits.first()).cloned(),
+            culprits,
+            silent: examination.blame.silent.clone(),
+            follow: examination.blame.follow.clone(),
+            quantities: examination.verdicts.iter().map(|(id, cases)| QuantityResult::new(suite, id, cases)).collect(),
+            tags: counts_by_tag(suite, examination),
+            invalid: (suite.invalid.iter().zip(&examination.invalid))
+                .map(|(case, verdict)| InvalidResult { case: case.clone(), verdict: verdict.clone() })
+                .collect(),
+            questions: examination.questions,
+            starts: examination.starts,
+            seconds: examination.seconds,
+        }
+    }
+}
+
+/// Culprits with their diagnoses. One that shows the mistake of an earlier culprit refers to it.
+fn culprits(blame: &Blame, diagnoses: &BTreeMap<&str, Diagnosis>) -> Vec<CulpritResult> {
+    let mut culprits: Vec<CulpritResult> = Vec::new();
+    for culprit in &blame.culprits {
+        let diagnosis = diagnoses.get(culprit.quantity).cloned().unwrap_or_default();
+        let equation = equation(culprit.quantity);
+        let mut own = CulpritResult { blame: culprit.clone(), equation, diagnosis, same_as: None };
+        let same = culprits.iter().find(|other| other.same_as.is_none() && other.shared_mistake(&own).is_some());
+        own.same_as = same.map(|other| other.blame.quantity);
+        culprits.push(own);
+    }
+    culprits
+}
+
+impl CulpritResult {
+    /// First mistake that explains both culprits.
+    pub(super) fn shared_mistake(&self, other: &CulpritResult) -> Option<&Mistake> {
+        let shared = |mistake: &&Mistake| other.diagnosis.mistakes.contains(mistake) && mistake.what != ZEROS;
+        self.diagnosis.mistakes.iter().find(shared)
+    }
+}
+
+impl Counts {
+    fn add(&mut self, verdict: &Verdict) {
+        match verdict {
+            Verdict::Pass { .. } => self.pass += 1,
+            Verdict::NotImplemented => self.not_implemented += 1,
+            Verdict::Wrong(_) | Verdict::Fault(_) => self.fail += 1,
+        }
+        let digits = self.digits.into_iter().chain(verdict.digits().map(rounded));
+        self.digits = digits.reduce(f64::min);
+    }
+}
+
+/// Digits to one decimal.
+fn rounded(digits: f64) -> f64 {
+    (digits * 10.0).round() / 10.0
+}
+
+fn counts_by_tag(suite: &Suite, examination: &Examination) -> BTreeMap<String, Counts> {
+    let mut counts: BTreeMap<String, Counts> = BTreeMap::new();
+    for (n, verdict) in examination.verdicts.iter().flat_map(|(_, cases)| cases) {
+        for tag in suite.cases.get(*n).iter().flat_map(|case| &case.tags) {
+            counts.entry(tag.clone()).or_default().add(verdict);
+        }
+    }
+    for verdict in &examination.invalid {
+        let invalid = counts.entry("invalid".into()).or_default();
+        match verdict.outcome {
+            InvalidOutcome::Refused => invalid.pass += 1,
+            InvalidOutcome::NotImplemented => invalid.not_implemented += 1,
+            InvalidOutcome::Accepted | InvalidOutcome::Fault => invalid.fail += 1,
+        }
+    }
+    counts
+}
+
+impl QuantityResult {
+    fn new(suite: &Suite, quantity: &'static str, cases: &[CaseVerdict]) -> QuantityResult {
+        let mut counts = Counts::default();
+        cases.iter().for_each(|(_, verdict)| counts.add(verdict));
+        let failing = cases.iter().filter(|(_, verdict)| verdict.fails()).filter_map(|(n, _)| suite.cases.get(*n));
+        let mut faults: Vec<CaseFault> = Vec::new();
+        for (n, verdict) in cases {
+            if let (Verdict::Fault(fault), Some(case)) = (verdict, suite.cases.get(*n))
+                && faults.len() < MOST_FAULTS
+                && !faults.iter().any(|listed| listed.fault == *fault)
+            {
+                faults.push(CaseFault { case: case.id.clone(), fault: fault.clone() });
+            }
+        }
+        QuantityResult {
+            quantity,
+            equation: equation(quantity),
+            counts,
+            failing: failing.map(|case| case.id.clone()).collect(),
+            smallest_failing: smallest_failing(suite, cases)
+                .and_then(|(n, verdict)| FailingCase::new(suite, *n, verdict)),
+            faults,
+            fault_words: fault_words(cases),
+        }
+    }
+}
+
+/// Failing case with the fewest tags: the fewest possible causes. Cases that were asked precede those that were not.
+fn smallest_failing<'a>(suite: &Suite, cases: &'a [CaseVerdict]) -> Option<&'a CaseVerdict> {
+    let tags = |n: usize| suite.cases.get(n).map_or(usize::MAX, |case| case.tags.len());
+    cases.iter().filter(|(_, verdict)| verdict.fails()).min_by_key(|(n, verdict)| {
+        let unasked = matches!(verdict, Verdict::Fault(Fault::NotAsked(_)));
+        (unasked, tags(*n), *n)
+    })
+}
+
+/// Short names of all faults. That a case was not asked is listed only if there is no other fault.
+fn fault_words(cases: &[CaseVerdict]) -> BTreeSet<&'static str> {
+    let faults = cases.iter().filter_map(|(_, verdict)| match verdict {
+        Verdict::Fault(fault) => Some(fault),
+        _ => None,
+    });
+    let (unasked, other): (Vec<&Fault>, Vec<&Fault>) = faults.partition(|fault| matches!(fault, Fault::NotAsked(_)));
+    let listed = if other.is_empty() { unasked } else { other };
+    listed.into_iter().map(Fault::word).collect()
+}
+
+impl FailingCase {
+    fn new(suite: &Suite, n: usize, verdict: &Verdict) -> Option<FailingCase> {
+        let case = suite.cases.get(n)?;
+        let failure = match verdict {
+            Verdict::Wrong(wrong) => Failure::Wrong {
+                entry: wrong.entry,
+                answered: wrong.answered,
+                expected: wrong.expected,
+                digits: rounded(wrong.digits),
+            },
+            Verdict::Fault(fault) => Failure::Fault { fault: fault.to_string() },
+            Verdict::Pass { .. } | Verdict::NotImplemented => return None,
+        };
+        Some(FailingCase { case: case.id.clone(), tags: case.tags.clone(), failure })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnosis::MistakeKind;
+
+    #[test]
+    fn a_case_that_was_not_asked_is_not_the_smallest() {
+        let suite = Suite::embedded().unwrap();
+        let tags = |n: &usize| suite.cases[*n].tags.len();
+        let (few, many) = ((0..36).min_by_key(tags).unwrap(), (0..36).max_by_key(tags).unwrap());
+        let fault = |n, fault: fn(String) -> Fault| (n, Verdict::Fault(fault(String::new())));
+        let cases = [fault(few, Fault::NotAsked), fault(many, Fault::Crash)];
+        assert_eq!(smallest_failing(&suite, &cases), Some(&cases[1]));
+        assert_eq!(smallest_failing(&suite, &cases[..1]), Some(&cases[0]));
+    }
+
+    #[test]
+    fn a_shared_mistake_refers_to_the_first_culprit_that_shows_it() {
+        let mistake = |kind, what: &str| Mistake { kind, what: what.into() };
+        let half = mistake(MistakeKind::Factor, "all of it half");
+        let sign = mistake(MistakeKind::Sign, "all of it with the wrong sign");
+        let zero = mistake(MistakeKind::Missing, ZEROS);
+        let shown: [(&'static str, &[&Mistake]); 5] = [
+            ("21.S_a1", &[&half, &zero]),
+            ("21.S_b1", &[&half, &sign]),
+            ("21.S_c1", &[&sign]),
+            ("21.K_1", &[&zero]),
+            ("21.K_2", &[&sign]),
+        ];
+        let blamed = |quantity| blame::Culprit { quantity, numbers: true, because: String::new() };
+        let diagnosis = |mistakes: &[&Mistake]| Diagnosis {
+            mistakes: mistakes.iter().copied().cloned().collect(),
+            ..Diagnosis::default()
+        };
+        let blame = Blame { culprits: shown.map(|(quantity, _)| blamed(quantity)).into(), ..Blame::default() };
+        let diagnoses = shown.map(|(quantity, mistakes)| (quantity, diagnosis(mistakes))).into();
+        let same: Vec<_> = culprits(&blame, &diagnoses).iter().map(|culprit| culprit.same_as).collect();
+        assert_eq!(same, [None, Some("21.S_a1"), None, None, Some("21.S_c1")]);
+    }
+}
