@@ -6,7 +6,6 @@
 pub(crate) mod benchmark;
 pub(crate) mod benchmarks;
 mod converge;
-mod csv_table;
 mod economies;
 mod grid;
 mod group;
@@ -21,6 +20,7 @@ pub(crate) mod reference;
 pub(crate) mod samples;
 pub(crate) mod setup;
 mod study;
+mod tables;
 pub(crate) mod technique;
 #[cfg(test)]
 mod tests;
@@ -76,7 +76,7 @@ pub(crate) fn part(
     let svg = picture::svg(&study.groups)?;
     let html = page::page(&study, &svg);
     let points = study.groups.iter().flat_map(Group::all_points);
-    files.write("error-time.csv", |file| csv_table::table(points).csv(file))?;
+    files.write("error-time.csv", |file| tables::points(points).csv(file))?;
     files.write("error-time.json", |file| Ok(serde_json::to_writer_pretty(file, &study)?))?;
     files.write("error-time.svg", |file| file.write_all(svg.as_bytes()))?;
     files.write("error-time.html", |file| file.write_all(html.as_bytes()))?;
@@ -111,7 +111,10 @@ fn measure(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) ->
     }
     bar.finish_and_clear();
     let economies = economies::measure()?;
-    print(&printed::economies(&economies))?;
+    print(&format!(
+        "Economies, each left out where a scene does not need it:\n{}\n",
+        tables::economies(&economies).text()
+    ))?;
     let wall_seconds = clock.elapsed().as_secs_f64();
     Ok(ErrorTimeStudy { options: options.clone(), machine, wall_seconds, peers, peer_rows, groups, economies })
 }

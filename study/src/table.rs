@@ -3,16 +3,16 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use crate::html::escape;
+use crate::escape::escape;
 
 /// How the cells of a column are shown to people; CSV has every digit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Format {
+enum Format {
     /// Words, aligned to the left.
     Words,
-    /// Numbers with so many decimals, aligned to the right like all that follow.
+    /// Numbers with so many decimals, aligned to the right.
     Fixed(usize),
-    /// Numbers as powers of ten with so many decimals.
+    /// Numbers with a power of ten and so many decimals, aligned to the right.
     Power(usize),
 }
 
@@ -40,13 +40,19 @@ macro_rules! cells {
 pub(crate) use cells;
 
 impl Table {
-    /// A table of columns (heading, format) and rows.
-    pub fn new<'a>(
-        columns: impl IntoIterator<Item = (&'a str, Format)>,
-        rows: impl IntoIterator<Item = Vec<Cell>>,
-    ) -> Table {
-        let columns = columns.into_iter().map(|(heading, format)| (heading.into(), format)).collect();
-        Table { columns, rows: rows.into_iter().collect() }
+    /// A table of columns and rows. Bars separate the columns; a heading ends with the format of its numbers, `:.6` or `:.1e`, and columns
+    /// without one have words: `"run | distance, m :.1e | verdict"`.
+    pub fn new(columns: &str, rows: impl IntoIterator<Item = Vec<Cell>>) -> Table {
+        let column = |column: &str| {
+            let (heading, format) = column.rsplit_once(":.").unwrap_or((column, ""));
+            let format = match (format.strip_suffix('e').map(str::parse), format.parse()) {
+                (Some(Ok(digits)), _) => Format::Power(digits),
+                (_, Ok(digits)) => Format::Fixed(digits),
+                _ => Format::Words,
+            };
+            (heading.trim().to_string(), format)
+        };
+        Table { columns: columns.split(" | ").map(column).collect(), rows: rows.into_iter().collect() }
     }
 
     /// The headings and the cells of every row as they are shown.
@@ -162,8 +168,10 @@ mod tests {
     use super::*;
 
     fn table() -> Table {
-        let columns = [("<run>", Format::Words), ("error, m", Format::Power(1)), ("steps", Format::Fixed(0))];
-        Table::new(columns, [cells!["a\nb", 1.0 / 3.0, 12], cells!["<long> name", None::<f64>, 7]])
+        Table::new(
+            "<run> | error, m :.1e | steps :.0",
+            [cells!["a\nb", 1.0 / 3.0, 12], cells!["<long> name", None::<f64>, 7]],
+        )
     }
 
     #[test]

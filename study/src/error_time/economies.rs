@@ -26,13 +26,6 @@ pub struct Economy {
     pub difference: f64,
 }
 
-impl Economy {
-    /// Run time with the part over run time without it.
-    pub fn ratio(&self) -> f64 {
-        self.full.median / self.pruned.median
-    }
-}
-
 /// Two scenes with their plans: with and without the economy.
 struct PlanPair {
     what: &'static str,

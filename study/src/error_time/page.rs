@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::economies::Economy;
 use super::group::Group;
 use super::point::{Point, Status};
 use super::study::ErrorTimeStudy;
+use super::tables;
 use super::timing::RUNS;
-use super::wording::{fastest, leads, ratio, time_of, timing};
+use super::wording::{fastest, leads, ratio, time_of};
 use crate::html::Html;
-use crate::table::Format::{Fixed, Power, Words};
 use crate::table::{Table, cells};
 
 /// The page with the picture.
@@ -44,13 +43,7 @@ fn which_method(html: &mut Html, study: &ErrorTimeStudy) {
         "The fastest point whose error is certain to be below each bound. At the reference's limit, that is the error plus the reference's \
          uncertainty.",
     );
-    let columns = [
-        ("error below, m", Power(0)),
-        ("fastest", Words),
-        ("its error, m", Power(1)),
-        ("time", Words),
-        ("forces, tangents, factorisations, solves", Words),
-    ];
+    let columns = "error below, m :.0e | fastest | its error, m :.1e | time | forces, tangents, factorisations, solves";
     for group in &study.groups {
         html.subheading(&group.name());
         let cells = |(error, point): (f64, Option<&Point>)| {
@@ -93,25 +86,10 @@ fn parts(html: &mut Html, study: &ErrorTimeStudy) {
         let uncertainty = format!("{:.1e} ({})", reference.uncertainty, reference.elements);
         cells![group.name(), space.join(", "), reference.order, uncertainty, model]
     };
-    let columns = [
-        ("scene, element", Words),
-        ("space, m (elements)", Words),
-        ("last order", Fixed(1)),
-        ("reference ±, m (elements)", Words),
-        ("model, m", Words),
-    ];
+    let columns = "scene, element | space, m (elements) | last order :.1 | reference ±, m (elements) | model, m";
     html.table(&Table::new(columns, study.groups.iter().map(cells)));
     html.subheading("Along the Pareto fronts");
-    let columns = [
-        ("scene, element", Words),
-        ("point", Words),
-        ("time", Words),
-        ("error, m", Power(1)),
-        ("in time, m", Power(1)),
-        ("in space, m", Power(1)),
-        ("velocity, m/s", Power(1)),
-        ("energy, J", Power(1)),
-    ];
+    let columns = "scene, element | point | time | error, m :.1e | in time, m :.1e | in space, m :.1e | velocity, m/s :.1e | energy, J :.1e";
     let cells = |group: &Group, point: &Point| {
         let part = |of: fn(&super::point::Errors) -> Option<f64>| point.errors.as_ref().and_then(of);
         let (in_time, in_space) = (part(|errors| errors.time), part(|errors| errors.space));
@@ -154,15 +132,7 @@ fn peers(html: &mut Html, study: &ErrorTimeStudy) {
              theory; those of the paper's element are distances from its own. Ratio: the other program's median over ours; brackets: its \
              shortest run over our longest, and its longest over our shortest.",
         );
-        let columns = [
-            ("scene, element", Words),
-            ("error below, m", Power(0)),
-            ("ours", Words),
-            ("time", Words),
-            ("other", Words),
-            ("time", Words),
-            ("ratio", Words),
-        ];
+        let columns = "scene, element | error below, m :.0e | ours | time | other | time | ratio";
         html.table(&Table::new(columns, rows));
     }
 }
@@ -173,19 +143,7 @@ fn economies(html: &mut Html, study: &ErrorTimeStudy) {
         "Run times with and without parts that a scene does not need, measured alternately; medians with the shortest and the longest. \
          `ancf plan SCENE` lists the parts that a scene leaves out, with the reasons.",
     );
-    let columns = [
-        ("left out", Words),
-        ("scene", Words),
-        ("with it", Words),
-        ("without", Words),
-        ("ratio", Fixed(2)),
-        ("change, m", Power(0)),
-    ];
-    let cells = |economy: &Economy| {
-        let [full, pruned] = [&economy.full, &economy.pruned].map(timing);
-        cells![economy.what, &*economy.scene, full, pruned, economy.ratio(), economy.difference]
-    };
-    html.table(&Table::new(columns, study.economies.iter().map(cells)));
+    html.table(&tables::economies(&study.economies));
 }
 
 fn failures(html: &mut Html, study: &ErrorTimeStudy) {
@@ -204,5 +162,5 @@ fn failures(html: &mut Html, study: &ErrorTimeStudy) {
         return;
     }
     let rows = reasons.into_iter().map(|((what, reason), count)| cells![what, count, reason]);
-    html.table(&Table::new([("method", Words), ("runs", Fixed(0)), ("reason", Words)], rows));
+    html.table(&Table::new("method | runs :.0 | reason", rows));
 }

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::point::{Point, Status};
+use super::timing::Timing;
 
 /// Errors for which the fastest point is shown, m.
 pub const DECADES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
@@ -87,8 +88,15 @@ pub struct Ratio {
     pub most: f64,
 }
 
+impl Ratio {
+    /// One run time over another.
+    pub fn of(error: f64, time: &Timing, other: &Timing) -> Ratio {
+        let ratio = time.median / other.median;
+        Ratio { error, ratio, least: time.min / other.max, most: time.max / other.min }
+    }
+}
+
 /// Ratio of the fastest points of two programs at this error; `None` if one of them has none.
 pub fn ratio(ours: &[&Point], theirs: &[&Point], error: f64) -> Option<Ratio> {
-    let (ours, theirs) = (fastest(ours, error)?.time.as_ref()?, fastest(theirs, error)?.time.as_ref()?);
-    Some(Ratio { error, ratio: theirs.median / ours.median, least: theirs.min / ours.max, most: theirs.max / ours.min })
+    Some(Ratio::of(error, fastest(theirs, error)?.time.as_ref()?, fastest(ours, error)?.time.as_ref()?))
 }

@@ -9,13 +9,13 @@ use ancf::model::{Element, Method};
 
 use super::benchmark::Benchmark;
 use super::benchmarks::BENCHMARKS;
-use super::csv_table;
 use super::grid::{Limits, Subject};
 use super::pareto::{fastest, leads, pareto_front, ratio};
 use super::peers;
 use super::point::{Errors, OURS, Point, Status};
 use super::reference::Reference;
 use super::setup::{Record, Resolution, Setup};
+use super::tables;
 use super::technique::{Refinement, TECHNIQUES, Technique};
 use super::timing::Timing;
 
@@ -74,7 +74,7 @@ fn the_table_reads_back_to_the_same_numbers() {
     let points =
         [point(0.1, 1.0 / 3.0), failed(), Point { tolerance: Some(1e-300), step: None, ..point(5e-324, 1e-9) }];
     let mut csv = Vec::new();
-    csv_table::table(points.iter()).csv(&mut csv).unwrap();
+    tables::points(points.iter()).csv(&mut csv).unwrap();
     let mut reader = csv::Reader::from_reader(&csv[..]);
     let heading: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();

@@ -32,6 +32,11 @@ pub fn ratio(ratio: &Ratio) -> String {
     format!("{} × ({} … {})", digits(ratio.ratio), digits(ratio.least), digits(ratio.most))
 }
 
+/// Ratio of two run times, from the shortest over the longest run to the longest over the shortest.
+pub fn ratio_of(time: &Timing, other: &Timing) -> String {
+    ratio(&Ratio::of(0.0, time, other))
+}
+
 /// A sentence for each lead.
 pub fn leads(leads: &[Lead]) -> Vec<String> {
     let sentence = |lead: &Lead| {

@@ -12,7 +12,6 @@ use super::pendulum::{Mesh, Model, TIMES};
 use super::reference_pendulum::Oracle;
 use super::scissors::{DAMPED_RHO, DAMPED_STEP, ELEMENTS, STEP};
 use super::section4::A4Row;
-use crate::table::Format::{Fixed, Power, Words};
 use crate::table::{Cell, Table, cells};
 
 /// Our runs of the pendulum and the oracle's.
@@ -37,14 +36,7 @@ fn verdict(holds: bool) -> &'static str {
 }
 
 fn compared(title: &str, rows: &[Comparison]) -> String {
-    let columns = [
-        ("run", Words),
-        ("step, s", Power(1)),
-        ("distance, m", Power(1)),
-        ("oracle's error", Power(1)),
-        ("bound", Power(1)),
-        ("verdict", Words),
-    ];
+    let columns = "run | step, s :.1e | distance, m :.1e | oracle's error :.1e | bound :.1e | verdict";
     let cells = |row: &Comparison| {
         let Comparison { run, step, largest_distance, oracle_error, bound } = row;
         cells![&**run, *step, *largest_distance, *oracle_error, *bound, verdict(row.holds())]
@@ -64,15 +56,7 @@ pub fn tips(models: &[Model], oracle: &Oracle) -> String {
     );
     for model in models {
         let Mesh { elements, step, other_elements } = model.kind.mesh;
-        let finer = format!("{other_elements} elements");
-        let columns = [
-            ("", Words),
-            ("x", Fixed(6)),
-            ("y", Fixed(6)),
-            ("2 × step", Power(1)),
-            (&*finer, Power(1)),
-            ("oracle, 4 elements", Words),
-        ];
+        let columns = format!(" | x :.6 | y :.6 | 2 × step :.1e | {other_elements} elements :.1e | oracle, 4 elements");
         let known = oracle.find(model.kind.scene, model.kind.element, 4);
         let rows = model.rows().map(|row| {
             let [x, y] = row.tip;
@@ -81,7 +65,7 @@ pub fn tips(models: &[Model], oracle: &Oracle) -> String {
             cells![time(row.t), x, y, row.change_with_twice_the_step, row.change_with_the_other_mesh, known]
         });
         text += &format!("\n   {}, {elements} elements, step {step:.0e} s\n", model.kind.name);
-        text += &Table::new(columns, rows).text();
+        text += &Table::new(&columns, rows).text();
     }
     text + "\n"
 }
@@ -98,35 +82,26 @@ pub fn differences(models: &[Model]) -> String {
     );
     for start in ["sudden", "relaxed"] {
         let [axis, plane, cable] = ["1d", "2d", "1d-eb"].map(|model| format!("{model}-{start}"));
-        let name = format!("{start} start");
-        let heads = ["1D–flexible", "2D–flexible", "2D–1D", "2D–1D EB"].map(|head| (head, Fixed(3)));
+        let columns = format!("{start} start | 1D–flexible :.3 | 2D–flexible :.3 | 2D–1D :.3 | 2D–1D EB :.3");
         let row = |t: f64| {
             let flexible = [&axis, &plane].map(|model| distance(t, model, "flexible"));
             let heated = [&axis, &cable].map(|model| distance(t, &plane, model));
             cells![time(t), flexible[0], flexible[1], heated[0], heated[1]]
         };
-        text += &format!("\n{}", Table::new([(&*name, Words)].into_iter().chain(heads), TIMES.map(row)).text());
+        text += &format!("\n{}", Table::new(&columns, TIMES.map(row)).text());
     }
     text + "\n"
 }
 
 /// Parts of the distance from the solid.
 pub fn errors(rows: &[ErrorRow], shear: &[ShearRow]) -> String {
-    let columns = [
-        ("model", Words),
-        ("", Words),
-        ("distance", Power(1)),
-        ("space", Power(1)),
-        ("time", Power(1)),
-        ("solid's own", Power(1)),
-        ("model, ≥", Power(1)),
-    ];
+    let columns = "model |  | distance :.1e | space :.1e | time :.1e | solid's own :.1e | model, ≥ :.1e";
     let cells = |row: &ErrorRow| {
         let ErrorRow { model, window, distance, space, time, reference, model_error } = row;
         let model_error = Some(*model_error).filter(|error| *error > 0.0);
         cells![*model, window.to_string(), *distance, *space, *time, *reference, model_error]
     };
-    let shear_columns = [("", Words), ("distance", Power(1)), ("with shear 5/6", Power(1))];
+    let shear_columns = " | distance :.1e | with shear 5/6 :.1e";
     let shear_cells = |row: &ShearRow| cells![row.window.to_string(), row.distance, row.corrected];
     format!(
         "4. Largest distance of the tip from the plane solid with the same heat, m; its changes by twice the elements (space) and twice the\n   \
@@ -174,14 +149,7 @@ pub fn statements(rows: &[PendulumStatement], locking: &Locking) -> String {
 
 /// a4 over time, with the changes by another step and mesh.
 pub fn a4(rows: &[A4Row]) -> String {
-    let columns = [
-        ("model", Words),
-        ("", Words),
-        ("x", Fixed(6)),
-        ("y", Fixed(6)),
-        ("2 × step", Power(1)),
-        ("½ elements", Power(1)),
-    ];
+    let columns = "model |  | x :.6 | y :.6 | 2 × step :.1e | ½ elements :.1e";
     let cells = |row: &A4Row| {
         let [step, mesh] = [row.change_with_twice_the_step, row.change_with_half_the_elements].map(Cell::from);
         [cells![row.model, time(row.t), row.a4[0], row.a4[1]], vec![step, mesh]].concat()

@@ -14,74 +14,41 @@ pub const CASE: Case = Case {
     trials,
 };
 
-/// A built-in scene and the change that makes it bad, with the words that its refusal has to contain.
-struct BadStructure {
-    name: &'static str,
-    scene: &'static str,
-    spoil: fn(&mut Scene),
-    refusal: &'static [&'static str],
-}
+/// A built-in scene, the change that makes it bad, and the words of its refusal.
+type BadStructure = (&'static str, &'static str, fn(&mut Scene), &'static [&'static str]);
 
+#[rustfmt::skip]
 const BAD: [BadStructure; 9] = [
-    BadStructure {
-        name: "a direction held twice",
-        scene: "pendulum-flexible",
-        spoil: |scene| scene.supports.push(Support { fix: vec![Direction::X], ..support("o") }),
-        refusal: &["supports[1].fix", "redundant", "`o`"],
-    },
-    BadStructure {
-        name: "a slide along what is fixed",
-        scene: "pendulum-flexible",
-        spoil: |scene| scene.supports.push(Support { slide: Some([1.0, 1.0]), ..support("o") }),
-        refusal: &["supports[1].slide", "contradicts", "`o`"],
-    },
-    BadStructure {
-        name: "a rod clamped twice",
-        scene: "cantilever",
-        spoil: |scene| scene.supports.push(Support { clamp: Some("rod".into()), ..support("o") }),
-        refusal: &["supports[1].clamp", "redundant", "\"rod\""],
-    },
-    BadStructure {
-        name: "statics without supports",
-        scene: "cantilever",
-        spoil: |scene| (scene.supports, scene.probes) = (Vec::new(), Vec::new()),
-        refusal: &["can move without a strain", "`rod`"],
-    },
-    BadStructure {
-        name: "statics on a hinge",
-        scene: "cantilever",
-        spoil: |scene| scene.supports[0].clamp = None,
-        refusal: &["can move without a strain", "`rod`"],
-    },
-    BadStructure {
-        name: "statics of scissors that can fold",
-        scene: "scissors-3",
-        spoil: |scene| {
+    ("a direction held twice", "pendulum-flexible",
+        |scene| scene.supports.push(Support { fix: vec![Direction::X], ..support("o") }),
+        &["supports[1].fix", "redundant", "`o`"]),
+    ("a slide along what is fixed", "pendulum-flexible",
+        |scene| scene.supports.push(Support { slide: Some([1.0, 1.0]), ..support("o") }),
+        &["supports[1].slide", "contradicts", "`o`"]),
+    ("a rod clamped twice", "cantilever",
+        |scene| scene.supports.push(Support { clamp: Some("rod".into()), ..support("o") }),
+        &["supports[1].clamp", "redundant", "\"rod\""]),
+    ("statics without supports", "cantilever",
+        |scene| (scene.supports, scene.probes) = (Vec::new(), Vec::new()),
+        &["can move without a strain", "`rod`"]),
+    ("statics on a hinge", "cantilever",
+        |scene| scene.supports[0].clamp = None,
+        &["can move without a strain", "`rod`"]),
+    ("statics of scissors that can fold", "scissors-3",
+        |scene| {
             (scene.time.method, scene.time.end) = (Method::Static, 1.0);
             (scene.output.interval, scene.probes) = (None, Vec::new());
         },
-        refusal: &["can move without a strain", "`a1b2`", "`b1a2`", "`a2b3`", "`b2a3`"],
-    },
-    BadStructure {
-        name: "pivots apart",
-        scene: "scissors-3",
-        spoil: |scene| {
-            scene.points.entry("b2".into()).and_modify(|point| point[0] += 1e-6);
-        },
-        refusal: &["rods[1].pivot", "\"m1\"", "rods whose middles are at one place", "`a1b2`", "`b1a2`"],
-    },
-    BadStructure {
-        name: "a relaxed start between two points",
-        scene: "pendulum-2d-relaxed",
-        spoil: |scene| scene.supports.push(Support { fix: vec![Direction::Y], ..support("a") }),
-        refusal: &["temperature.start", "\"relaxed\"", "rods 1, points held 2"],
-    },
-    BadStructure {
-        name: "a relaxed start of pinned rods",
-        scene: "scissors-3-thermal",
-        spoil: |scene| scene.temperature.iter_mut().for_each(|heat| heat.start = Start::Relaxed),
-        refusal: &["temperature.start", "\"relaxed\"", "rods 6"],
-    },
+        &["can move without a strain", "`a1b2`", "`b1a2`", "`a2b3`", "`b2a3`"]),
+    ("pivots apart", "scissors-3",
+        |scene| scene.points.iter_mut().filter(|(name, _)| *name == "b2").for_each(|(_, point)| point[0] += 1e-6),
+        &["rods[1].pivot", "\"m1\"", "rods whose middles are at one place", "`a1b2`", "`b1a2`"]),
+    ("a relaxed start between two points", "pendulum-2d-relaxed",
+        |scene| scene.supports.push(Support { fix: vec![Direction::Y], ..support("a") }),
+        &["temperature.start", "\"relaxed\"", "rods 1, points held 2"]),
+    ("a relaxed start of pinned rods", "scissors-3-thermal",
+        |scene| scene.temperature.iter_mut().for_each(|heat| heat.start = Start::Relaxed),
+        &["temperature.start", "\"relaxed\"", "rods 6"]),
 ];
 
 fn support(point: &str) -> Support {
@@ -89,18 +56,18 @@ fn support(point: &str) -> Support {
 }
 
 fn trials() -> Vec<Trial> {
-    let trial = |(number, bad): (usize, &'static BadStructure)| {
-        let run = || {
+    let trial = |(number, &(name, scene, spoil, refusal)): (usize, &'static BadStructure)| {
+        let run = move || {
             let mut steps = 0;
-            let mut scene = builtin(bad.scene)?;
-            (bad.spoil)(&mut scene);
+            let mut scene = builtin(scene)?;
+            spoil(&mut scene);
             // So that every step is reported.
             scene.output.interval = None;
             let outcome = run_with_progress(&scene, |done| steps = done);
             // A refusal after a step is too late, and counts as none.
             if steps > 0 { Ok(Finding::default()) } else { Ok(outcome.map(Finding::of)?) }
         };
-        Trial::new(bad.name, (number + 1) as f64, run).fast(true).expect(Expected::Refusal(bad.refusal))
+        Trial::new(name, (number + 1) as f64, run).fast(true).expect(Expected::Refusal(refusal))
     };
     BAD.iter().enumerate().map(trial).collect()
 }

@@ -69,13 +69,9 @@ fn press(element: Element, force: f64) -> Result<Finding> {
     let stretch = stretch(element, force);
     let slope = if element == Element::Ancf { 1.0 / (1.5 * stretch * stretch - 0.5) } else { 1.0 };
     let bound = (10.0 * f64::EPSILON + TOLERANCE) * force * slope + f64::EPSILON;
-    Ok(Finding {
-        error: (last_tip(&own)[0] - stretch).abs(),
-        bound,
-        why: format!("stretch {stretch:.6}"),
-        rounding: bound,
-        ..Finding::of(own)
-    })
+    let error = (last_tip(&own)[0] - stretch).abs();
+    let why = format!("stretch {stretch:.6}");
+    Ok(Finding { error, bound, why, rounding: bound, ..Finding::of(own) })
 }
 
 /// The larger root, by Newton's iteration from the unloaded rod.
@@ -118,11 +114,7 @@ fn wave(method: Method, element: Element) -> Result<Finding> {
     let expected: Path = column(&own, "t").into_iter().map(expected).collect();
     // F/EA · δ(ct), δc/c ≤ 3/2 · 2 F/EA.
     let faster = SMALL * speed * END * 3.0 * SMALL;
-    Ok(Finding {
-        error: largest_distance(&tip(&own), &expected),
-        bound: series.bound() + faster,
-        why: format!("elements and steps {series}, speed of the wave {faster:.1e}"),
-        size: 2.0 * SMALL,
-        ..Finding::of(own)
-    })
+    let error = largest_distance(&tip(&own), &expected);
+    let why = format!("elements and steps {series}, speed of the wave {faster:.1e}");
+    Ok(Finding { error, bound: series.bound() + faster, why, size: 2.0 * SMALL, ..Finding::of(own) })
 }

@@ -98,19 +98,16 @@ fn measure(mut setup: Setup, at_limit: bool) -> Result<Finding> {
     let too_small = LEAST * (true_error - uncertainty) / estimate;
     let at_rows = own.accuracy.at_rows.unwrap_or(f64::NAN);
     let too_large = at_rows / (MOST * (true_error + uncertainty));
-    Ok(Finding {
-        // `f64::max` would drop a NaN.
-        error: if too_small.is_nan() || too_large.is_nan() { f64::NAN } else { too_small.max(too_large) },
-        bound: 1.0,
-        why: format!(
-            "estimate {estimate:.1e} m, {at_rows:.1e} m at the rows, true {true_error:.1e} ± {uncertainty:.0e} m: {:.2} and {:.2} times",
-            estimate / true_error,
-            at_rows / true_error
-        ),
-        // A ratio between two limits has no size.
-        size: f64::INFINITY,
-        ..Finding::of(own)
-    })
+    // `f64::max` would drop a NaN.
+    let error = if too_small.is_nan() || too_large.is_nan() { f64::NAN } else { too_small.max(too_large) };
+    let why = format!(
+        "estimate {estimate:.1e} m, {at_rows:.1e} m at the rows, true {true_error:.1e} ± {uncertainty:.0e} m: {:.2} and {:.2} times",
+        estimate / true_error,
+        at_rows / true_error
+    );
+    // A ratio between two limits has no size.
+    let size = f64::INFINITY;
+    Ok(Finding { error, bound: 1.0, why, size, ..Finding::of(own) })
 }
 
 #[cfg(test)]

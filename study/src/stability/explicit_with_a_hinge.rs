@@ -65,11 +65,7 @@ fn measure(method: Method, element: Element, elements: usize) -> Result<Finding>
     let step = step.above(rounding);
     let tip = Tip::of(&own);
     let samples: Path = known.t.iter().map(|t| tip.at(*t)).collect();
-    Ok(Finding {
-        error: largest_distance(&samples, &known.r),
-        bound: step.bound() + its_error + rounding,
-        why: format!("step {step}, error of the reference {its_error:.1e}, rounding {rounding:.1e}"),
-        rounding,
-        ..Finding::of(own)
-    })
+    let error = largest_distance(&samples, &known.r);
+    let why = format!("step {step}, error of the reference {its_error:.1e}, rounding {rounding:.1e}");
+    Ok(Finding { error, bound: step.bound() + its_error + rounding, why, rounding, ..Finding::of(own) })
 }

@@ -61,11 +61,7 @@ fn measure(element: Element, method: Method, angle: f64, offset: f64) -> Result<
     let rounded = 2.0 * own.counts.steps as f64 * f64::EPSILON * (2f64.sqrt() + fastest * END);
     let steps = rounded + TOLERANCE * 3.0 * g * END * END;
     let bound = shown * points + steps;
-    Ok(Finding {
-        error: largest_distance(&path, &tip(&at_origin)),
-        bound,
-        why: format!("points {points:.1e} m, shown {shown:.1} times; steps {steps:.1e}"),
-        rounding: bound,
-        ..Finding::of(own)
-    })
+    let error = largest_distance(&path, &tip(&at_origin));
+    let why = format!("points {points:.1e} m, shown {shown:.1} times; steps {steps:.1e}");
+    Ok(Finding { error, bound, why, rounding: bound, ..Finding::of(own) })
 }

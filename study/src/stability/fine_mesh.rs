@@ -64,13 +64,9 @@ fn light(element: Element, slenderness: f64, elements: usize) -> Result<Finding>
     let own = run(&light_cantilever(element, elements, slenderness, 0.0, TIP)?.newton(1e-15))?;
     let floor = floor(element, elements, slenderness);
     let second = stiffened(element, elements) * (TIP * slenderness).powi(2);
-    Ok(Finding {
-        error: (-last_tip(&own)[1] / TIP - 1.0).abs(),
-        bound: floor + second,
-        why: format!("floor {floor:.1e}, second order {second:.1e}, l/h = {:.1e}", slenderness / elements as f64),
-        rounding: floor,
-        ..Finding::of(own)
-    })
+    let error = (-last_tip(&own)[1] / TIP - 1.0).abs();
+    let why = format!("floor {floor:.1e}, second order {second:.1e}, l/h = {:.1e}", slenderness / elements as f64);
+    Ok(Finding { error, bound: floor + second, why, rounding: floor, ..Finding::of(own) })
 }
 
 fn large() -> Vec<Trial> {
@@ -92,13 +88,8 @@ fn bent(element: Element, id: &'static str, elements: usize) -> Result<Finding> 
     let [half, quarter] = [off(&reference, element, elements / 2)?.0, off(&reference, element, elements / 4)?.0];
     let astray = (quarter / (16.0 * half) - 1.0).abs();
     let floor = floor(element, elements, reference.parameter("L")? / reference.parameter("h")?);
-    Ok(Finding {
-        error,
-        bound: half / 16.0 * (1.0 + astray) + floor,
-        why: format!("half the elements {half:.1e}, a quarter {quarter:.1e}, floor {floor:.1e}"),
-        rounding: floor,
-        ..Finding::of(own)
-    })
+    let why = format!("half the elements {half:.1e}, a quarter {quarter:.1e}, floor {floor:.1e}");
+    Ok(Finding { error, bound: half / 16.0 * (1.0 + astray) + floor, why, rounding: floor, ..Finding::of(own) })
 }
 
 /// Distance of the tip from the limit, relative to the length, and the run.

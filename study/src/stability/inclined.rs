@@ -70,14 +70,10 @@ fn measure(degrees: f64, printed: bool, across: bool) -> Result<Finding> {
     let unit = if across { 1.0 / (3.0 * bending) } else { 1.0 / (E * area) };
     // Along the axis the factor by hand and the section's inverse have to agree.
     let two_ways = if across { 0.0 } else { (expected / (unit * by_hand) - 1.0).abs() };
-    Ok(Finding {
-        error: (found / expected - 1.0).abs().max(two_ways),
-        bound: rounding + if across { thickness } else { 0.0 },
-        why: format!("compliance × {:.4}, by hand × {by_hand:.4} (bending beside shear)", found / unit),
-        size: 1.0,
-        rounding,
-        ..Finding::default()
-    })
+    let error = (found / expected - 1.0).abs().max(two_ways);
+    let bound = rounding + if across { thickness } else { 0.0 };
+    let why = format!("compliance × {:.4}, by hand × {by_hand:.4} (bending beside shear)", found / unit);
+    Ok(Finding { error, bound, why, size: 1.0, rounding, ..Finding::default() })
 }
 
 /// Displacement of the tip of one clamped element by a force of 1 N, across or along, by the tangent at rest.

@@ -83,13 +83,9 @@ fn loaded(method: Method, modulus: f64, load: fn(&mut Scene)) -> Result<Finding>
     // Of both runs.
     let rounding = 2.0 * rounding_as_load(&plain, modulus);
     let (loaded, plain) = (run(&loaded)?, run(&plain)?);
-    Ok(Finding {
-        error: largest_distance(&tip(&loaded), &tip(&plain)),
-        bound: rounding,
-        why: format!("rounding {rounding:.1e}"),
-        rounding,
-        ..Finding::of(loaded)
-    })
+    let error = largest_distance(&tip(&loaded), &tip(&plain));
+    let why = format!("rounding {rounding:.1e}");
+    Ok(Finding { error, bound: rounding, why, rounding, ..Finding::of(loaded) })
 }
 
 /// A free rod without any load.
@@ -101,11 +97,7 @@ fn coasting(method: Method, element: Element, modulus: f64) -> Result<Finding> {
     let own = run(&scene)?;
     let expected: Path = column(&own, "t").into_iter().map(|t| [1.0 + v_x * t, v_y * t]).collect();
     let bound = 4.0 * STEPS * f64::EPSILON * 2.0 * v_x.hypot(v_y);
-    Ok(Finding {
-        error: largest_distance(&tip(&own), &expected),
-        bound,
-        why: format!("4 n ε |u| {bound:.1e}"),
-        rounding: bound,
-        ..Finding::of(own)
-    })
+    let error = largest_distance(&tip(&own), &expected);
+    let why = format!("4 n ε |u| {bound:.1e}");
+    Ok(Finding { error, bound, why, rounding: bound, ..Finding::of(own) })
 }

@@ -29,11 +29,7 @@ fn measure(element: Element, steps: f64) -> Result<Finding> {
     let scene = pendulum(element, 1)?.solved(Method::EnergyMomentum, 1e-3, 1e-3 * steps).newton(1e-14).rows_every(0.1);
     let own = run(&scene)?;
     let bound = 2.0 * steps * f64::EPSILON;
-    Ok(Finding {
-        error: largest(&own, "energy.balance") / largest(&own, "energy.kinetic"),
-        bound,
-        why: "two roundings a step".into(),
-        rounding: bound,
-        ..Finding::of(own)
-    })
+    let error = largest(&own, "energy.balance") / largest(&own, "energy.kinetic");
+    let why = "two roundings a step".into();
+    Ok(Finding { error, bound, why, rounding: bound, ..Finding::of(own) })
 }

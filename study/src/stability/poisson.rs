@@ -80,12 +80,7 @@ fn patch(nu: f64, poisson: Poisson) -> Result<Finding> {
     own.warnings.retain(|warning| !warning.contains("locks"));
     let growth = 1.0 + (2.0 * nu / (1.0 - 2.0 * nu)).abs();
     let bound = (10.0 * f64::EPSILON + TOLERANCE) * growth * strain + f64::EPSILON;
-    Ok(Finding {
-        error: distance(last_tip(&own), [STRETCH, 0.0]),
-        bound,
-        why: format!("1 + |λ|/μ = {growth:.1e}"),
-        size: STRETCH - 1.0,
-        rounding: bound,
-        ..Finding::of(own)
-    })
+    let error = distance(last_tip(&own), [STRETCH, 0.0]);
+    let why = format!("1 + |λ|/μ = {growth:.1e}");
+    Ok(Finding { error, bound, why, size: STRETCH - 1.0, rounding: bound, ..Finding::of(own) })
 }

@@ -3,23 +3,16 @@
 use super::row::StabilityRow;
 use super::study::{StabilityStudy, Swept};
 use crate::html::Html;
-use crate::table::Format::{Fixed, Power, Words};
 use crate::table::{Table, cells};
 
 /// The whole table as text, with reference and bound of each case, and the counts.
 pub fn text(study: &StabilityStudy) -> String {
     let mut text = String::from("Stiff and extreme cases\n");
     for Swept { case, rows } in &study.cases {
-        let columns = [
-            ("variant", Words),
-            (case.parameter, Fixed(0)),
-            ("error", Power(1)),
-            ("bound", Power(1)),
-            ("", Words),
-            ("in another form", Power(1)),
-            ("verdict", Words),
-            ("message", Words),
-        ];
+        let columns = format!(
+            "variant | {} :.0 | error :.1e | bound :.1e |  | in another form :.1e | verdict | message",
+            case.parameter
+        );
         let cells = |row: &StabilityRow| {
             let (loose, verdict) = (if row.loose { "~" } else { "" }, row.verdict.word());
             cells![&*row.variant, row.shown(), row.error, row.bound, loose, row.beside, verdict, &*row.note]
@@ -31,7 +24,7 @@ pub fn text(study: &StabilityStudy) -> String {
             case.parameter,
             case.reference,
             case.right,
-            Table::new(columns, rows.iter().map(cells)).text()
+            Table::new(&columns, rows.iter().map(cells)).text()
         );
     }
     let [right, warned, refused, wrong] = counts(study.rows());
@@ -44,8 +37,7 @@ pub fn text(study: &StabilityStudy) -> String {
 
 /// The verdicts of each case, counted.
 pub fn summary(study: &StabilityStudy) -> String {
-    let columns =
-        [("case", Words), ("right", Fixed(0)), ("with warning", Fixed(0)), ("refused", Fixed(0)), ("WRONG", Fixed(0))];
+    let columns = "case | right :.0 | with warning :.0 | refused :.0 | WRONG :.0";
     let cells = |name: &str, [right, warned, refused, wrong]: [usize; 4]| cells![name, right, warned, refused, wrong];
     let cases = study.cases.iter().filter(|swept| !swept.rows.is_empty());
     let rows = cases.map(|swept| cells(swept.case.name, counts(swept.rows.iter())));
@@ -74,25 +66,17 @@ pub fn page(study: &StabilityStudy, svg: &str) -> String {
         html.heading(case.name);
         html.paragraph(&format!("Reference: {}.", case.reference.trim_end_matches('.')));
         html.paragraph(&format!("Right: {}", case.right));
-        let error = format!("error, {}", case.unit);
-        let columns = [
-            ("variant", Words),
-            (case.parameter, Words),
-            (error.as_str(), Power(1)),
-            ("bound", Words),
-            ("parts of the bound", Words),
-            ("in another form", Power(1)),
-            ("iterations", Fixed(0)),
-            ("verdict", Words),
-            ("message", Words),
-        ];
+        let columns = format!(
+            "variant | {} | error, {} :.1e | bound | parts of the bound | in another form :.1e | iterations :.0 | verdict | message",
+            case.parameter, case.unit
+        );
         let cells = |row: &StabilityRow| {
             let loose = if row.loose { " ~" } else { "" };
             let bound = row.bound.map(|bound| format!("{bound:.1e}{loose}"));
             let (iterations, verdict) = (row.counts.newton_iterations, row.verdict.word());
             cells![&*row.variant, row.shown(), row.error, bound, &*row.why, row.beside, iterations, verdict, &*row.note]
         };
-        html.table(&Table::new(columns, rows.iter().map(cells)));
+        html.table(&Table::new(&columns, rows.iter().map(cells)));
     }
     html.page("Stiff and extreme cases")
 }
@@ -110,5 +94,5 @@ pub fn csv(study: &StabilityStudy) -> Table {
         ]
         .concat()
     };
-    Table::new(COLUMNS.split(',').map(|column| (column, Words)), study.rows().map(cells))
+    Table::new(&COLUMNS.replace(',', " | "), study.rows().map(cells))
 }

@@ -65,11 +65,7 @@ fn measure(method: Method, element: Element, omega: f64) -> Result<Finding> {
     let balance = largest(&own, "energy.balance") / largest(&own, "energy.kinetic");
     let most = 2.5 * f64::EPSILON * STEPS * TURNS + scene.time.newton_tolerance;
     let conserved = method != Method::EnergyMomentum || balance <= most;
-    Ok(Finding {
-        error: if conserved { largest_distance(&tip(&own), &expected) } else { f64::INFINITY },
-        bound: flexible + series.bound() + rounding,
-        why: format!("C/E {flexible:.1e}, step {series}, rounding {rounding:.1e}; balance {balance:.1e}"),
-        rounding,
-        ..Finding::of(own)
-    })
+    let error = if conserved { largest_distance(&tip(&own), &expected) } else { f64::INFINITY };
+    let why = format!("C/E {flexible:.1e}, step {series}, rounding {rounding:.1e}; balance {balance:.1e}");
+    Ok(Finding { error, bound: flexible + series.bound() + rounding, why, rounding, ..Finding::of(own) })
 }

@@ -88,12 +88,9 @@ fn shock(method: Method, elements: usize, value: f64) -> Result<Finding> {
     let own = run_estimated(&scene(method, elements, value)?, |_| ())?;
     let Converged { path, uncertainty } = converged()?;
     let estimate = own.accuracy.total().unwrap_or(f64::NAN);
-    Ok(Finding {
-        error: largest_distance(&tip(&own), path),
-        bound: estimate + uncertainty,
-        why: format!("estimate {estimate:.1e}, uncertainty of the reference {uncertainty:.1e}"),
-        ..Finding::of(own)
-    })
+    let error = largest_distance(&tip(&own), path);
+    let why = format!("estimate {estimate:.1e}, uncertainty of the reference {uncertainty:.1e}");
+    Ok(Finding { error, bound: estimate + uncertainty, why, ..Finding::of(own) })
 }
 
 /// The reference at every row.

@@ -145,13 +145,15 @@ fn beside_rigid(angle: f64, end: f64, factor: f64) -> Result<Finding> {
     let series = Series::with(largest_distance(&softer, &path), largest_distance(&path, &stiffer), 0.1);
     let model = series.above(2.0 * (step.bound() + rounding)).bound() - series.first;
     let (step, vibrations) = if step.ratio < 1.0 { (step, 0.0) } else { (step.above(2.0 * model), 2.0 * model) };
+    let error = largest_distance(&path, &rigid(angle, path.len()));
+    let why = format!(
+        "flexible {model:.1e} (E/10 {:.1e}, 10E {:.1e}), step {step}, vibrations {vibrations:.1e}, rounding {rounding:.1e}",
+        series.first, series.second
+    );
     Ok(Finding {
-        error: largest_distance(&path, &rigid(angle, path.len())),
+        error,
         bound: model + step.bound() + vibrations + rounding,
-        why: format!(
-            "flexible {model:.1e} (E/10 {:.1e}, 10E {:.1e}), step {step}, vibrations {vibrations:.1e}, rounding {rounding:.1e}",
-            series.first, series.second
-        ),
+        why,
         size: 2.0 * L,
         rounding,
         ..Finding::of(own)
@@ -163,14 +165,9 @@ fn motion(angle: f64, end: f64, factor: f64) -> Result<Finding> {
     let (own, step) = richardson::in_steps(&scene, a4)?;
     let finest = run(&scissors(angle, factor, STEP / 8.0, end)?)?;
     let rounding = rounding(&scene);
-    Ok(Finding {
-        error: largest_distance(&a4(&own), &a4(&finest)),
-        bound: step.bound() + rounding,
-        why: format!("step {step}, rounding {rounding:.1e}"),
-        size: 2.0 * L,
-        rounding,
-        ..Finding::of(own)
-    })
+    let error = largest_distance(&a4(&own), &a4(&finest));
+    let why = format!("step {step}, rounding {rounding:.1e}");
+    Ok(Finding { error, bound: step.bound() + rounding, why, size: 2.0 * L, rounding, ..Finding::of(own) })
 }
 
 /// Balance over the energy put in, and its bound.
@@ -199,17 +196,11 @@ fn stacked(factor: f64) -> Result<Finding> {
     let (balance, most) = balance(&scene, &own)?;
     // Anything but straight to rounding and a conserved balance is an error of any size.
     let holds = sideways <= 1e-12 && balance <= most;
-    Ok(Finding {
-        // From the middle between the static shortening, about which the end vibrates, and twice that.
-        error: if holds { (down - 1.5 * short).abs() } else { f64::INFINITY },
-        // The output rounds a position of 2 m.
-        bound: 0.5 * short + 2.0 * short * balance + 2.0 * f64::EPSILON,
-        why: format!(
-            "FL/EA = {short:.1e}, d {:.2} of it; sideways {sideways:.1e} m, balance {balance:.1e}",
-            down / short
-        ),
-        size: 2.0 * short,
-        rounding: 2.0 * f64::EPSILON,
-        ..Finding::of(own)
-    })
+    // From the middle between the static shortening, about which the end vibrates, and twice that.
+    let error = if holds { (down - 1.5 * short).abs() } else { f64::INFINITY };
+    // The output rounds a position of 2 m.
+    let bound = 0.5 * short + 2.0 * short * balance + 2.0 * f64::EPSILON;
+    let why =
+        format!("FL/EA = {short:.1e}, d {:.2} of it; sideways {sideways:.1e} m, balance {balance:.1e}", down / short);
+    Ok(Finding { error, bound, why, size: 2.0 * short, rounding: 2.0 * f64::EPSILON, ..Finding::of(own) })
 }

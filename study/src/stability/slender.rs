@@ -87,17 +87,13 @@ fn measure(element: Element, elements: usize, slenderness: f64) -> Result<Findin
     let (known, unknown) = if elements == 1 { (second, second * second) } else { (0.0, second) };
     let solution = 50.0 * f64::EPSILON * slenderness.powi(2);
     let rounding = after_two_iterations(solution, elements);
-    let error = |tip: f64| (tip / (TIP * (1.0 - known)) - 1.0).abs();
-    Ok(Finding {
-        error: error(-last_tip(&own)[1]),
-        bound: rounding + unknown,
-        why: format!(
-            "rounding {rounding:.1e} (one solution {solution:.1e}), second order known {known:.1e}, unknown {unknown:.1e}"
-        ),
-        rounding,
-        beside: (element == Element::Ancf && elements == 1).then(|| error(-total(&scene))),
-        ..Finding::of(own)
-    })
+    let error_of = |tip: f64| (tip / (TIP * (1.0 - known)) - 1.0).abs();
+    let error = error_of(-last_tip(&own)[1]);
+    let why = format!(
+        "rounding {rounding:.1e} (one solution {solution:.1e}), second order known {known:.1e}, unknown {unknown:.1e}"
+    );
+    let beside = (element == Element::Ancf && elements == 1).then(|| error_of(-total(&scene)));
+    Ok(Finding { error, bound: rounding + unknown, why, rounding, beside, ..Finding::of(own) })
 }
 
 /// The tip in the paper's own form: absolute coordinates e, forces (19), tangent, Newton's iteration on a dense matrix.

@@ -119,13 +119,10 @@ fn motion(scene: Scene, element: Element, ratio: f64) -> Result<Finding> {
     // Newton may leave a part of the largest force, like a load, in both runs: 2 · ½ 1e-10 F/m t², F/m ≤ 3g.
     let newton = scene.time.newton_tolerance * 3.0 * 9.8 * scene.time.end.powi(2);
     let rounding = rounding_as_load(&scene, SOFT * ratio);
-    Ok(Finding {
-        error: largest_distance(&ends(&own), &ends(&reference)),
-        bound: step.bound() + its.bound() + limit + newton + rounding,
-        why: format!("step {step}, the reference's {its}, its limit {limit:.1e}, rounding {rounding:.1e}"),
-        rounding,
-        ..Finding::of(own)
-    })
+    let error = largest_distance(&ends(&own), &ends(&reference));
+    let bound = step.bound() + its.bound() + limit + newton + rounding;
+    let why = format!("step {step}, the reference's {its}, its limit {limit:.1e}, rounding {rounding:.1e}");
+    Ok(Finding { error, bound, why, rounding, ..Finding::of(own) })
 }
 
 /// Sum of the largest forces at the two ends of the stiff rod, N.
@@ -154,14 +151,11 @@ fn rigid(scene: Scene, _: Element, ratio: f64) -> Result<Finding> {
     let length = chord.iter().map(|[x, y]| (x.hypot(*y) - 1.0).abs()).fold(0.0, f64::max);
     // The output rounds positions to ε_mach.
     let rounding = 4.0 * f64::EPSILON;
-    Ok(Finding {
-        error: largest(&own, "middle.w").max(length),
-        // Above the Euler load there is no limit.
-        bound: if ends < euler { bent.max(stretched) + rounding } else { f64::INFINITY },
-        why: format!("bent {bent:.1e}, stretched {stretched:.1e}: {load:.0} N/m across, {ends:.0} N at the ends"),
-        rounding,
-        ..Finding::of(own)
-    })
+    let error = largest(&own, "middle.w").max(length);
+    // Above the Euler load there is no limit.
+    let bound = if ends < euler { bent.max(stretched) + rounding } else { f64::INFINITY };
+    let why = format!("bent {bent:.1e}, stretched {stretched:.1e}: {load:.0} N/m across, {ends:.0} N at the ends");
+    Ok(Finding { error, bound, why, rounding, ..Finding::of(own) })
 }
 
 fn balance(scene: Scene, _: Element, _: f64) -> Result<Finding> {
@@ -172,11 +166,7 @@ fn balance(scene: Scene, _: Element, _: f64) -> Result<Finding> {
     let unknowns = Structure::planned(&scene, &Plan::of(&scene))?.size() as f64;
     let way: f64 = positions(&own, "b").windows(2).map(|pair| distance(pair[0], pair[1])).sum();
     let newton = unknowns * scene.time.newton_tolerance * force * way / kinetic;
-    Ok(Finding {
-        error: largest(&own, "energy.balance") / kinetic,
-        bound: rounding + newton,
-        why: format!("rounding {rounding:.1e}, Newton {newton:.1e}: {force:.0} N, {way:.1} m"),
-        rounding: rounding + newton,
-        ..Finding::of(own)
-    })
+    let error = largest(&own, "energy.balance") / kinetic;
+    let why = format!("rounding {rounding:.1e}, Newton {newton:.1e}: {force:.0} N, {way:.1} m");
+    Ok(Finding { error, bound: rounding + newton, why, rounding: rounding + newton, ..Finding::of(own) })
 }

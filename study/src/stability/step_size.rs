@@ -73,14 +73,9 @@ fn measure(how: Implicit, step: f64) -> Result<Finding> {
     let rounding = own.counts.steps as f64 * f64::EPSILON * (way + 2.0 * way);
     let floor = rounding + 0.5 * TOLERANCE * 3.0 * 9.8 * END * END + known.error_estimate.position;
     let unresolved = if 4.0 * step * THICKNESS > 0.5 { 2.0 * 9.8 / (SHEAR * SHEAR) } else { 0.0 };
-    Ok(Finding {
-        error: distance(last_tip(&own), reference),
-        bound: bound + floor + unresolved,
-        why: format!("{why}, floor {floor:.1e}, not resolved {unresolved:.1e}"),
-        size: way,
-        rounding: floor,
-        ..Finding::of(own)
-    })
+    let error = distance(last_tip(&own), reference);
+    let why = format!("{why}, floor {floor:.1e}, not resolved {unresolved:.1e}");
+    Ok(Finding { error, bound: bound + floor + unresolved, why, size: way, rounding: floor, ..Finding::of(own) })
 }
 
 /// Changes under halving until the step resolves bending, and the series of the last two.

@@ -92,13 +92,9 @@ fn measure(how: Implicit, element: Element, modulus: f64) -> Result<Finding> {
     let iterations = most_iterations(&scene)?;
     // Collocation couples two stages; where steps resolve nothing, its iteration converges slowly, and has no such bar.
     let slow_iteration = iterations > MOST_ITERATIONS && modulus <= PROMISED && how.method != Method::Gauss;
-    Ok(Finding {
-        error: if slow_iteration { f64::INFINITY } else { largest_distance(&tip(&own), &expected) },
-        bound: flexible + step.bound() + rounding,
-        why: format!("C/E {flexible:.1e}, step {step}, rounding {rounding:.1e}; at most {iterations} iterations"),
-        rounding,
-        ..Finding::of(own)
-    })
+    let error = if slow_iteration { f64::INFINITY } else { largest_distance(&tip(&own), &expected) };
+    let why = format!("C/E {flexible:.1e}, step {step}, rounding {rounding:.1e}; at most {iterations} iterations");
+    Ok(Finding { error, bound: flexible + step.bound() + rounding, why, rounding, ..Finding::of(own) })
 }
 
 /// The most Newton iterations of one step.

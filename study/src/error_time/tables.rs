@@ -1,14 +1,16 @@
-//! `error-time.csv`: a row for each point; fields are empty if a run has failed or a program does not count.
+//! Tables of the study: all points, and the economies.
 
+use super::economies::Economy;
 use super::point::Point;
-use crate::table::{Format, Table, cells};
+use super::wording::{ratio_of, timing};
+use crate::table::{Table, cells};
 
 const COLUMNS: &str = "program,scene,element,method,elements,step,tolerance,newton_tolerance,error_position,error_velocity,error_reaction,\
                        energy_balance,error_time,error_space,reference_uncertainty,time_median_s,time_min_s,time_max_s,runs,steps,rejected,\
                        newton_iterations,force_calls,tangent_calls,factorizations,solves,status,reason";
 
-/// The table of these points.
-pub fn table<'a>(points: impl Iterator<Item = &'a Point>) -> Table {
+/// `error-time.csv`: a row for each point; fields are empty if a run has failed or a program does not count.
+pub fn points<'a>(points: impl Iterator<Item = &'a Point>) -> Table {
     let cells = |point: &Point| {
         let (errors, time, counts) = (point.errors.as_ref(), point.time.as_ref(), &point.counts);
         [
@@ -23,5 +25,16 @@ pub fn table<'a>(points: impl Iterator<Item = &'a Point>) -> Table {
         ]
         .concat()
     };
-    Table::new(COLUMNS.split(',').map(|column| (column, Format::Words)), points.map(cells))
+    Table::new(&COLUMNS.replace(',', " | "), points.map(cells))
+}
+
+/// The economies: run times with and without each part, their ratio, and the change of the results.
+pub fn economies(economies: &[Economy]) -> Table {
+    let cells = |Economy { what, scene, pruned, full, difference }: &Economy| {
+        cells![*what, ratio_of(full, pruned), timing(full), timing(pruned), *difference, &**scene]
+    };
+    Table::new(
+        "left out | time with it over time without | with it | without | change, m :.0e | scene",
+        economies.iter().map(cells),
+    )
 }
