@@ -19,6 +19,7 @@ mod loads_that_move_nothing;
 mod long_run;
 mod picture;
 mod poisson;
+mod prelude;
 mod report;
 mod richardson;
 mod rigid_pendulum;

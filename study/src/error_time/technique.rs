@@ -60,7 +60,7 @@ impl Technique {
     }
 
     /// The first technique of each method.
-    pub fn of_each_method() -> impl Iterator<Item = &'static Technique> {
+    pub fn of_each_method() -> impl Iterator<Item = &'static Technique> + Clone {
         TECHNIQUES.iter().filter(|technique| Technique::of(technique.method) == Some(*technique))
     }
 

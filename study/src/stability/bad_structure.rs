@@ -1,8 +1,7 @@
 //! Structures that cannot be computed: refused before the first step, with the names of the faulty parts.
 
-use super::case::{Case, Expected, Finding, Trial};
-use crate::scene::builtin;
-use ancf::model::{Direction, Method, Scene, Start, Support};
+use super::prelude::*;
+use ancf::model::Start;
 use ancf::run::run_with_progress;
 
 pub const CASE: Case = Case {

@@ -2,13 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::richardson::Series;
-use crate::error::Result;
-use crate::path::{Path, column, largest_distance, last_tip, tip};
-use crate::scene::{Change, ELEMENTS, cantilever, pendulum};
-use ancf::model::{Direction, Element, Force, Method, Support};
-use ancf::run::{Run, run};
 
 pub const CASE: Case = Case {
     name: "collapsed-element",

@@ -1,15 +1,12 @@
 //! `--estimate` on the scenes of error against run time: estimated and true errors.
 
-use super::case::{Case, Expected, Finding, Trial};
-use crate::error::Result;
+use super::prelude::*;
 use crate::error_time::benchmark::Benchmark;
 use crate::error_time::benchmarks::BENCHMARKS;
 use crate::error_time::reference::Reference;
 use crate::error_time::samples::Samples;
 use crate::error_time::setup::{Record, Resolution, Setup};
 use crate::error_time::technique::{Refinement, Technique};
-use crate::scene::ELEMENTS;
-use ancf::model::Element;
 use ancf::run::estimate::run_estimated;
 
 pub const CASE: Case = Case {
@@ -29,22 +26,16 @@ const LEAST: f64 = 0.5;
 const MOST: f64 = 20.0;
 
 fn trials() -> Vec<Trial> {
-    let mut trials = Vec::new();
-    for benchmark in &BENCHMARKS {
-        for element in ELEMENTS {
-            let fits = |technique: &&Technique| technique.is_static() == benchmark.is_static();
-            for technique in Technique::of_each_method().filter(fits) {
-                for &elements in meshes(benchmark) {
-                    for resolution in resolutions(benchmark, technique) {
-                        let start = resolution.unwrap_or(Resolution::Steps(1));
-                        let setup = Setup { benchmark, element, elements, technique, resolution: start };
-                        trials.push(trial(setup, resolution));
-                    }
-                }
-            }
-        }
-    }
-    trials
+    let fits =
+        |(benchmark, _, technique): &(&Benchmark, Element, &Technique)| technique.is_static() == benchmark.is_static();
+    let solvers = iproduct!(&BENCHMARKS, ELEMENTS, Technique::of_each_method()).filter(fits);
+    let trials = solvers.flat_map(|(benchmark, element, technique)| {
+        iproduct!(meshes(benchmark), resolutions(benchmark, technique)).map(move |(&elements, resolution)| {
+            let start = resolution.unwrap_or(Resolution::Steps(1));
+            trial(Setup { benchmark, element, elements, technique, resolution: start }, resolution)
+        })
+    });
+    trials.collect()
 }
 
 fn meshes(benchmark: &Benchmark) -> &'static [usize] {

@@ -1,15 +1,11 @@
 //! Explicit methods with a hinge, whose position and force they have to hold without an iteration.
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::richardson;
-use crate::error::{Error, Result};
 use crate::error_time::benchmarks::named;
 use crate::error_time::reference::Reference;
 use crate::paper::reference_pendulum::Oracle;
 use crate::paper::tip::Tip;
-use crate::path::{Path, largest_distance, tip};
-use crate::scene::{Change, ELEMENTS, pendulum};
-use ancf::model::{Element, Method};
 
 pub const CASE: Case = Case {
     name: "explicit-with-a-hinge",
@@ -26,17 +22,12 @@ pub const CASE: Case = Case {
 const END: f64 = 0.5;
 
 fn trials() -> Vec<Trial> {
-    let mut trials = Vec::new();
-    for element in ELEMENTS {
-        for method in [Method::Explicit, Method::Nystrom] {
-            for elements in [1, 2, 4, 8, 16, 32, 64] {
-                let run = move || measure(method, element, elements);
-                let trial = Trial::new(format!("{method}, {element}"), elements as f64, run).fast(elements <= 2);
-                trials.push(trial.expect(Expected::result_if(elements <= 4)));
-            }
-        }
-    }
-    trials
+    let trial = |(element, method, elements)| {
+        let run = move || measure(method, element, elements);
+        let trial = Trial::new(format!("{method}, {element}"), elements as f64, run).fast(elements <= 2);
+        trial.expect(Expected::result_if(elements <= 4))
+    };
+    iproduct!(ELEMENTS, [Method::Explicit, Method::Nystrom], [1, 2, 4, 8, 16, 32, 64]).map(trial).collect()
 }
 
 /// The reference's tip to [`END`], and its error, m.

@@ -1,13 +1,8 @@
 //! Meshes from one element to thousands in one rod: convergence, down to the rounding floor that conditioning predicts.
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::slender::{TIP, after_two_iterations, stiffened};
-use crate::error::Result;
 use crate::fixture::Certified;
-use crate::path::{distance, last_tip};
-use crate::scene::{Change, ELEMENTS, cantilever, light_cantilever};
-use ancf::model::Element;
-use ancf::run::{Run, run};
 
 pub const SMALL: Case = Case {
     name: "fine-mesh-small-load",
@@ -47,17 +42,12 @@ fn trial(name: String, elements: usize, run: impl Fn() -> Result<Finding> + Send
 }
 
 fn small() -> Vec<Trial> {
-    let mut trials = Vec::new();
-    for element in ELEMENTS {
-        for slenderness in [20.0, 1000.0] {
-            for elements in [1, 2, 3, 10, 30, 100, 300, 1000, 3000, 10000, 30000, 100000] {
-                let run = move || light(element, slenderness, elements);
-                let name = format!("{element}, L/h = {slenderness}");
-                trials.push(trial(name, elements, run).fast(elements <= 1000));
-            }
-        }
-    }
-    trials
+    let meshes = [1, 2, 3, 10, 30, 100, 300, 1000, 3000, 10000, 30000, 100000];
+    let trial = |(element, slenderness, elements)| {
+        let run = move || light(element, slenderness, elements);
+        trial(format!("{element}, L/h = {slenderness}"), elements, run).fast(elements <= 1000)
+    };
+    iproduct!(ELEMENTS, [20.0, 1000.0], meshes).map(trial).collect()
 }
 
 fn light(element: Element, slenderness: f64, elements: usize) -> Result<Finding> {
@@ -70,16 +60,12 @@ fn light(element: Element, slenderness: f64, elements: usize) -> Result<Finding>
 }
 
 fn large() -> Vec<Trial> {
-    let mut trials = Vec::new();
-    for (element, id) in
-        [(Element::Ancf, "director-slender"), (Element::EulerBernoulli, "reissner-slender-shear-rigid")]
-    {
-        for elements in [4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 3000, 8192] {
-            let run = move || bent(element, id, elements);
-            trials.push(trial(format!("{element}, {id}"), elements, run).fast(elements <= 256));
-        }
-    }
-    trials
+    let limits = [(Element::Ancf, "director-slender"), (Element::EulerBernoulli, "reissner-slender-shear-rigid")];
+    let meshes = [4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 3000, 8192];
+    let trial = |((element, id), elements)| {
+        trial(format!("{element}, {id}"), elements, move || bent(element, id, elements)).fast(elements <= 256)
+    };
+    iproduct!(limits, meshes).map(trial).collect()
 }
 
 fn bent(element: Element, id: &'static str, elements: usize) -> Result<Finding> {

@@ -5,12 +5,7 @@
 //! Clamped: the reaction is a sum over 15 quadrature points of terms αΔT D, D of four roundings, written once: 20 halves of ε_mach of N, and
 //! Newton's tolerance of it. (Euler–Bernoulli has fewer.)
 
-use super::case::{Case, Expected, Finding, Trial};
-use crate::error::Result;
-use crate::path::{last, last_tip};
-use crate::scene::{Change, ELEMENTS, cantilever};
-use ancf::model::{Direction, Element, Probe, Quantity, Scene, Support, Temperature, ThermalModel};
-use ancf::run::run;
+use super::prelude::*;
 
 pub const FREE: Case = Case {
     name: "heat-free",

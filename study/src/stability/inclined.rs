@@ -12,9 +12,8 @@
 
 use nalgebra::{DVector, Matrix3, Vector2, Vector3};
 
-use super::case::{Case, Finding, Trial};
+use super::prelude::*;
 use super::single_element::{SingleElement, free_directions, solve};
-use crate::error::Result;
 use ancf::equations::material;
 use ancf::equations::shape::Vector14;
 
@@ -40,11 +39,10 @@ fn trials() -> Vec<Trial> {
         ("consistent, bending", false, true),
         ("consistent, along the axis", false, false),
     ];
-    let trials = variants.into_iter().flat_map(|(name, printed, across)| {
-        [0.0, 10.0, 22.5, 45.0, 60.0, 80.0, 90.0]
-            .map(|degrees| Trial::new(name, degrees, move || measure(degrees, printed, across)).fast(true))
-    });
-    trials.collect()
+    let trial = |((name, printed, across), degrees)| {
+        Trial::new(name, degrees, move || measure(degrees, printed, across)).fast(true)
+    };
+    iproduct!(variants, [0.0, 10.0, 22.5, 45.0, 60.0, 80.0, 90.0]).map(trial).collect()
 }
 
 fn measure(degrees: f64, printed: bool, across: bool) -> Result<Finding> {

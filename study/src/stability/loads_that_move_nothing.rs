@@ -1,12 +1,8 @@
 //! Loads that move nothing: they must not hide rounding that is as large as the loads that move the structure.
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::stiff::rounding_as_load;
-use crate::error::Result;
-use crate::path::{Path, column, largest_distance, tip};
-use crate::scene::{Change, ELEMENTS, pendulum};
-use ancf::model::{Element, Force, Method, Motion, Scene, Start, Temperature, ThermalModel};
-use ancf::run::run;
+use ancf::model::Start;
 
 pub const CASE: Case = Case {
     name: "loads-that-move-nothing",
@@ -54,17 +50,14 @@ fn trials() -> Vec<Trial> {
             let trial = Trial::new(format!("{name}, {method}"), modulus, move || loaded(method, modulus, load));
             trials.push(trial.fast(fast).expect(expected));
         };
-        for load in LOADS {
-            for (modulus, expected) in [(2e8, Expected::Result), (2e16, warned), (2e20, refused)] {
-                add(load, modulus, expected, is_fast);
-            }
+        for (load, (modulus, expected)) in iproduct!(LOADS, [(2e8, Expected::Result), (2e16, warned), (2e20, refused)])
+        {
+            add(load, modulus, expected, is_fast);
         }
         add(RELAXED, 2e20, refused, true);
-        for element in ELEMENTS {
-            for modulus in [2e8, 2e14, 2e20] {
-                let name = format!("coasting, {method}, {element}");
-                trials.push(Trial::new(name, modulus, move || coasting(method, element, modulus)).fast(is_fast));
-            }
+        for (element, modulus) in iproduct!(ELEMENTS, [2e8, 2e14, 2e20]) {
+            let name = format!("coasting, {method}, {element}");
+            trials.push(Trial::new(name, modulus, move || coasting(method, element, modulus)).fast(is_fast));
         }
     }
     trials

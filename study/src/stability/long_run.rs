@@ -1,11 +1,6 @@
 //! Long runs: the drift of the energy by rounding.
 
-use super::case::{Case, Finding, Trial};
-use crate::error::Result;
-use crate::path::largest;
-use crate::scene::{Change, ELEMENTS, pendulum};
-use ancf::model::{Element, Method};
-use ancf::run::run;
+use super::prelude::*;
 
 pub const CASE: Case = Case {
     name: "long-run",
@@ -19,10 +14,10 @@ pub const CASE: Case = Case {
 };
 
 fn trials() -> Vec<Trial> {
-    let trial = |element, steps| {
+    let trial = |(element, steps)| {
         Trial::new(format!("energy-momentum, {element}"), steps, move || measure(element, steps)).fast(steps <= 1e4)
     };
-    ELEMENTS.into_iter().flat_map(|element| [1e3, 1e4, 1e5, 1e6].map(|steps| trial(element, steps))).collect()
+    iproduct!(ELEMENTS, [1e3, 1e4, 1e5, 1e6]).map(trial).collect()
 }
 
 fn measure(element: Element, steps: f64) -> Result<Finding> {

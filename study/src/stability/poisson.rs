@@ -5,12 +5,7 @@
 //! roundings, of D and of the sum, and a residual adds 15 points: 20 halves of ε_mach of the strain 0.105, times 1 + |λ|/μ; Newton's
 //! tolerance is multiplied alike. Towards −1 everything grows as 1/(1 + ν), and nothing is lost.
 
-use super::case::{Case, Expected, Finding, Trial};
-use crate::error::Result;
-use crate::path::{distance, last_tip};
-use crate::scene::{Change, cantilever};
-use ancf::model::{Element, Poisson};
-use ancf::run::run;
+use super::prelude::*;
 
 pub const CASE: Case = Case {
     name: "poisson",

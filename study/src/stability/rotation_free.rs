@@ -4,15 +4,11 @@ use std::f64::consts::PI;
 
 use nalgebra::{DVector, Vector2};
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::richardson::{Series, order};
-use crate::error::Result;
-use crate::scene::{Change, ELEMENTS, pendulum};
 use ancf::elements::{Ancf, Beam, Cable, Meaning, NodalVector};
 use ancf::integrators::counts::Counts;
 use ancf::integrators::{State, integrator};
-use ancf::model::plan::Plan;
-use ancf::model::{Element, Method, Motion, Scene};
 use ancf::structure::Structure;
 
 pub const CASE: Case = Case {

@@ -2,14 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::richardson;
 use super::rigid_pendulum::RigidPendulum;
 use super::stiff::{bent, first_order, rounding_as_load};
-use crate::error::Result;
-use crate::path::{Path, column, largest, largest_distance, tip};
-use crate::scene::{Change, pendulum};
-use ancf::model::{Element, Method, Motion};
 
 pub const CASE: Case = Case {
     name: "rotation-over-the-top",
@@ -28,22 +24,19 @@ const STEPS: f64 = 1000.0;
 const TURNS: f64 = 10.0;
 
 fn trials() -> Vec<Trial> {
-    let mut trials = Vec::new();
-    for (method, element) in [
+    let solvers = [
         (Method::EnergyMomentum, Element::Ancf),
         (Method::EnergyMomentum, Element::EulerBernoulli),
         (Method::GeneralizedAlpha, Element::Ancf),
         (Method::Gauss, Element::Ancf),
-    ] {
-        for omega in [8.0, 9.0, 20.0, 100.0, 1e3, 1e5] {
-            let trial = Trial::new(format!("{method}, {element}"), omega, move || measure(method, element, omega));
-            let fast = method == Method::EnergyMomentum && element == Element::Ancf && omega == 9.0;
-            // Collocation is not meant for rods as stiff as this.
-            let promised = method != Method::Gauss && omega <= 1e3;
-            trials.push(trial.fast(fast).expect(Expected::result_if(promised)));
-        }
-    }
-    trials
+    ];
+    let trial = |((method, element), omega)| {
+        let trial = Trial::new(format!("{method}, {element}"), omega, move || measure(method, element, omega));
+        let fast = (method, element) == solvers[0] && omega == 9.0;
+        // Collocation is not meant for rods as stiff as this.
+        trial.fast(fast).expect(Expected::result_if(method != Method::Gauss && omega <= 1e3))
+    };
+    iproduct!(solvers, [8.0, 9.0, 20.0, 100.0, 1e3, 1e5]).map(trial).collect()
 }
 
 fn measure(method: Method, element: Element, omega: f64) -> Result<Finding> {

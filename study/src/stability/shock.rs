@@ -7,17 +7,12 @@
 
 use std::sync::OnceLock;
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::richardson::Series;
-use crate::error::{Error, Result};
 use crate::error_time::benchmarks::named;
 use crate::error_time::reference::Reference;
 use crate::paper::tip::Tip;
-use crate::path::{Path, largest_distance, tip};
-use crate::scene::{Change, builtin};
-use ancf::model::{Element, Method, Scene};
 use ancf::run::estimate::run_estimated;
-use ancf::run::run;
 
 pub const CASE: Case = Case {
     name: "heat-shock",

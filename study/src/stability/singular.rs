@@ -18,14 +18,8 @@
 //! **Balance.** Each of n steps rounds position and velocity once, 2n ε_mach. Newton may leave its tolerance times the largest force in each
 //! of the unknowns; a force transmits at most the total energy put in from one part to another in a step.
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::richardson::{self, Series};
-use crate::error::{Error, Result};
-use crate::path::{Path, largest, largest_distance, positions};
-use crate::scene::{Change, point_probe};
-use ancf::model::plan::Plan;
-use ancf::model::{Method, Quantity, Scene, Scissors};
-use ancf::run::{Run, run};
 use ancf::structure::Structure;
 
 pub const CASE: Case = Case {

@@ -14,13 +14,8 @@
 
 use nalgebra::Vector2;
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::single_element::{SingleElement, free_directions, solve};
-use crate::error::Result;
-use crate::path::last_tip;
-use crate::scene::{Change, light_cantilever};
-use ancf::model::{Element, Scene};
-use ancf::run::run;
 
 pub const CASE: Case = Case {
     name: "slenderness",
@@ -67,16 +62,12 @@ pub fn after_two_iterations(solution: f64, elements: usize) -> f64 {
 }
 
 fn trials() -> Vec<Trial> {
-    let variants = [(Element::Ancf, 1), (Element::Ancf, 8), (Element::EulerBernoulli, 1), (Element::EulerBernoulli, 8)];
-    let trial = |element: Element, elements: usize, slenderness: f64| {
+    let trial = |(element, elements, slenderness)| {
         let name = format!("{element}, {elements} element{}", if elements == 1 { "" } else { "s" });
         let trial = Trial::new(name, slenderness, move || measure(element, elements, slenderness));
         trial.fast(true).expect(Expected::result_if(slenderness <= 1e5))
     };
-    variants
-        .into_iter()
-        .flat_map(|(element, n)| SLENDERNESSES.map(|slenderness| trial(element, n, slenderness)))
-        .collect()
+    iproduct!(ELEMENTS, [1, 8], SLENDERNESSES).map(trial).collect()
 }
 
 fn measure(element: Element, elements: usize, slenderness: f64) -> Result<Finding> {

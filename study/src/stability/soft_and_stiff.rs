@@ -13,15 +13,9 @@
 //! N ≤ P + R, once in the energy and once in the work; 2 ε_mach of the kinetic energy. Newton's iteration leaves its tolerance times the
 //! largest force, N, in each unknown, which works over the way of the fastest point.
 
-use super::case::{Case, Expected, Finding, Trial};
+use super::prelude::*;
 use super::richardson::{self, Series};
 use super::stiff::rounding_as_load;
-use crate::error::Result;
-use crate::path::{Path, columns, distance, largest, largest_distance, positions};
-use crate::scene::{Change, pendulum, point_probe};
-use ancf::model::plan::Plan;
-use ancf::model::{Constraints, Element, Method, Probe, Quantity, Scene};
-use ancf::run::{Run, run};
 use ancf::structure::Structure;
 
 pub const CASE: Case = Case {

@@ -8,15 +8,10 @@
 //! The sudden weight also shears the section: g/ω² with ω = √(12G/ρ)/h = 1.96e4 rad/s, doubled as it is sudden: 5.1e-8 m. The vibrations of
 //! the section go up to √(12E/ρ)/h = 2.78e4 rad/s. They may be missing as long as the longest of the three steps does not resolve them.
 
-use super::case::{Case, Expected, Finding, Trial};
 use super::implicit::{IMPLICIT, Implicit};
+use super::prelude::*;
 use super::richardson::{Series, order};
-use crate::error::{Error, Result};
 use crate::paper::reference_pendulum::Oracle;
-use crate::path::{distance, largest_distance, last_tip, tip};
-use crate::scene::{Change, pendulum};
-use ancf::model::{Element, Method};
-use ancf::run::{Run, run};
 
 pub const CASE: Case = Case {
     name: "step-size",
@@ -42,14 +37,13 @@ const BENDING: f64 = 5e-3;
 const TOLERANCE: f64 = 1e-14;
 
 fn trials() -> Vec<Trial> {
-    let trial = |how: Implicit, step: f64| {
+    let trial = |(how, step): (Implicit, f64)| {
         let trial = Trial::new(how.with(Element::Ancf), step, move || measure(how, step));
         let promised = how.method != Method::Gauss || step <= 1e-2;
         trial.fast((2e-4..=1e-2).contains(&step)).expect(Expected::result_if(promised))
     };
     let halved = (0..=11).map(|n| END / f64::from(1 << n));
-    let steps: Vec<f64> = halved.chain([1e-5, 1e-6, 1e-7]).collect();
-    IMPLICIT.into_iter().flat_map(|how| steps.iter().map(move |&step| trial(how, step))).collect()
+    iproduct!(IMPLICIT, halved.chain([1e-5, 1e-6, 1e-7])).map(trial).collect()
 }
 
 fn swing(how: Implicit, step: f64) -> Result<Run> {

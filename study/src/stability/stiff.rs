@@ -12,17 +12,12 @@
 //! and twice that suddenly; they turn with it, by ω² ≤ 3g/L, and a vibration of frequency ω₁ (15.4 √(EI/ρA)/L²) follows as
 //! 1/(1 − ω²/ω₁²).
 
-use super::case::{Case, Expected, Finding, Trial};
 use super::implicit::{IMPLICIT, Implicit};
+use super::prelude::*;
 use super::richardson;
 use super::rigid_pendulum::RigidPendulum;
-use crate::error::Result;
-use crate::path::{Path, column, largest_distance, tip};
-use crate::scene::{ELEMENTS, pendulum};
 use ancf::integrators::counts::Counts;
 use ancf::integrators::{State, integrator};
-use ancf::model::plan::Plan;
-use ancf::model::{Constraints, Element, Method, Scene};
 use ancf::structure::Structure;
 
 pub const CASE: Case = Case {
@@ -47,14 +42,13 @@ const MOST_ITERATIONS: usize = 8;
 const MODULI: [f64; 8] = [2e8, 2e10, 2e12, 2e14, 2e16, 2e18, 2e20, 2e22];
 
 fn trials() -> Vec<Trial> {
-    let all = ELEMENTS.into_iter().flat_map(|element| IMPLICIT.map(|how| (how, element)));
-    let trial = |how: Implicit, element, modulus| {
+    let trial = |(element, how, modulus): (Element, Implicit, f64)| {
         let fast = how == IMPLICIT[0] && element == Element::Ancf && modulus == 2e14;
         let promised = modulus <= if how.method == Method::Gauss { 2e10 } else { PROMISED };
         let trial = Trial::new(how.with(element), modulus, move || measure(how, element, modulus));
         trial.fast(fast).expect(Expected::result_if(promised))
     };
-    all.flat_map(|(how, element)| MODULI.map(|modulus| trial(how, element, modulus))).collect()
+    iproduct!(ELEMENTS, IMPLICIT, MODULI).map(trial).collect()
 }
 
 /// q₀L⁴/(EI) of the pendulum of 1 m, relative to the length: the weight over the bending stiffness.

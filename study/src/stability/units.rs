@@ -1,11 +1,7 @@
 //! Systems of units: a scene with its numbers in other units. Every tolerance has to be dimensionless.
 
-use super::case::{Case, Expected, Finding, Trial};
-use crate::error::Result;
-use crate::path::{Path, largest_distance, positions};
-use crate::scene::{Change, builtin};
-use ancf::model::{Constraints, Element, Material, Method, Scene, Scissors, Section, Temperature, ThermalModel};
-use ancf::run::run;
+use super::prelude::*;
+use ancf::model::{Material, Section};
 
 pub const CASE: Case = Case {
     name: "units",
@@ -87,7 +83,7 @@ fn pinned(scene: Scene) -> Scene {
 }
 
 fn trials() -> Vec<Trial> {
-    let trial = |name: &str, scene: Probed, units: Units| {
+    let trial = |((name, scene), units): ((&str, Probed), Units)| {
         let fast = units.length == 1e-3 || units.length == 1e-50 || units.time == 1e15;
         // Statics may fail from 1e19 on.
         let expected = match units.length {
@@ -98,7 +94,7 @@ fn trials() -> Vec<Trial> {
         let trial = Trial::new(format!("{name}; {}", units.name), units.length, move || measure(scene, units));
         trial.fast(fast).expect(expected)
     };
-    SCENES.into_iter().flat_map(|(name, scene)| SYSTEMS.map(|units| trial(name, scene, units))).collect()
+    iproduct!(SCENES, SYSTEMS).map(trial).collect()
 }
 
 /// Newton's, relative to the largest force.
