@@ -57,20 +57,20 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     };
     // First, so that a folder that cannot be written is found before the work.
     let mut files = Files::in_folder(out)?;
-    let (oracle, pinned, continuum) = (Oracle::load()?, Structures::load()?, Continuum::load()?);
+    let (known, pinned, solids) = (Oracle::load()?, Structures::load()?, Continuum::load()?);
 
     print("Peng et al. (2018), Section 3: the heated pendulum of Table 1\n\n")?;
-    let rows = oracle.compare()?;
-    print(&printed::oracle(&rows))?;
+    let oracle = known.compare()?;
+    print(&printed::oracle(&oracle))?;
     let models = pendulum::simulate()?;
-    print(&printed::tips(&models, &oracle))?;
+    print(&printed::tips(&models, &known))?;
     print(&printed::differences(&models))?;
-    let errors = model_error::errors(&models, &continuum)?;
-    let shear = model_error::shear(&models, &continuum, &oracle.shear)?;
+    let errors = model_error::errors(&models, &solids)?;
+    let shear = model_error::shear(&models, &solids, &known.shear)?;
     print(&printed::errors(&errors, &shear))?;
-    let bars = model_error::bars(&models, &errors, &shear);
-    print(&printed::bars(&bars))?;
-    let (statements, locking) = (claims_section3::measure(&models, &continuum)?, locking::measure()?);
+    let continuum = model_error::bars(&models, &errors, &shear);
+    print(&printed::bars(&continuum))?;
+    let (statements, locking) = (claims_section3::measure(&models, &solids)?, locking::measure()?);
     print(&printed::statements(&statements, &locking))?;
 
     print("Section 4: the deployable structure of Table 2\n\n")?;
@@ -93,10 +93,11 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let (_, error_time) = error_time::part(&options, out, &mut files, print)?;
     let (wrong, stability) = stability::part(&mut files, print)?;
 
-    let failed = rows.iter().chain(&bars).chain(&structures).filter(|row| !row.holds()).map(ToString::to_string);
+    let compared = oracle.iter().chain(&continuum).chain(&structures);
+    let failed = compared.filter(|row| !row.holds()).map(ToString::to_string);
     let balances = energy.iter().filter(|e| !e.holds()).map(ToString::to_string);
     let failed: Vec<String> = failed.chain(balances).chain(wrong).collect();
-    let mut pictures = pendulum::pictures(&models, &oracle.rigid, &continuum)?;
+    let mut pictures = pendulum::pictures(&models, &known.rigid, &solids)?;
     pictures.extend(section4::pictures(&structure)?);
     for (name, svg) in &pictures {
         files.write(name, |file| file.write_all(svg.as_bytes()))?;
@@ -106,11 +107,12 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     files.write("report.html", |file| file.write_all(page.as_bytes()))?;
     files.write("pendulum.csv", |file| pendulum::curves(&models).write_csv(file))?;
     files.write("scissors.csv", |file| section4::curves(&structure).write_csv(file))?;
+    let (wall_seconds, tip) = (clock.elapsed().as_secs_f64(), models.iter().flat_map(Model::rows).collect());
     let report = Report {
-        wall_seconds: clock.elapsed().as_secs_f64(),
-        oracle: rows,
-        continuum: bars,
-        tip: models.iter().flat_map(Model::rows).collect(),
+        wall_seconds,
+        oracle,
+        continuum,
+        tip,
         errors,
         shear,
         statements,
@@ -122,7 +124,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     };
     files.write("main.json", |file| Ok(serde_json::to_writer_pretty(file, &report)?))?;
     let paths = files.publish()?;
-    print(&format!("Written after {:.1} s:\n", report.wall_seconds))?;
+    print(&format!("Written after {wall_seconds:.1} s:\n"))?;
     print(&paths.iter().map(|path| format!("   {}\n", path.display())).collect::<String>())?;
     match failed.first() {
         None => Ok(()),

@@ -32,6 +32,7 @@ mod singular;
 mod slender;
 mod soft_and_stiff;
 mod step_size;
+mod steps;
 mod stiff;
 mod study;
 mod units;

@@ -128,16 +128,13 @@ impl Line<'_> {
             explicit: !has_iteration,
             elements: self.positive_count("elements")?,
             step: Some(self.positive("step")?),
-            tolerance: None,
             newton_tolerance: has_iteration.then(|| self.positive("newton_tolerance")).transpose()?,
-            errors: None,
             reference_uncertainty: f64::NAN,
             time,
-            failed_after: None,
             counts,
-            rejected: None,
             status: if failed { Status::Failed } else { Status::Ok },
             reason: self.text("reason").into(),
+            ..Point::default()
         };
         Ok(Peer { benchmark, point, options, samples })
     }

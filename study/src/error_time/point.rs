@@ -15,7 +15,7 @@ pub const OURS: &str = "ancf";
 const LIMIT: f64 = 3.0;
 
 /// Status of a point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Status {
     /// Error and time are known.
     Ok,
@@ -24,6 +24,7 @@ pub enum Status {
     /// A run of the method is as accurate in a fraction of the time; this one was timed only once.
     Outclassed,
     /// The run ended with an error.
+    #[default]
     Failed,
 }
 
@@ -74,7 +75,7 @@ pub struct Errors {
 }
 
 /// A run with its error and its time.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Point {
     /// The program: [`OURS`], or another with its version.
     pub program: String,
@@ -113,7 +114,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// A point of ours before its run.
+    /// A point of ours before its run: failed, without a reason.
     pub fn new(setup: &Setup, reference: &Reference) -> Point {
         Point {
             program: OURS.into(),
@@ -125,14 +126,8 @@ impl Point {
             step: setup.resolution.step(setup.benchmark.interval),
             tolerance: setup.resolution.tolerance(),
             newton_tolerance: (!setup.technique.explicit).then_some(setup.technique.newton_tolerance),
-            errors: None,
             reference_uncertainty: reference.converged.uncertainty,
-            time: None,
-            failed_after: None,
-            counts: Counts::default(),
-            rejected: None,
-            status: Status::Failed,
-            reason: String::new(),
+            ..Point::default()
         }
     }
 

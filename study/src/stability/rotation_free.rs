@@ -6,9 +6,10 @@ use nalgebra::{DVector, Vector2};
 
 use super::prelude::*;
 use super::richardson::{Series, order};
+use super::steps::each_step;
 use ancf::elements::{Ancf, Beam, Cable, Meaning, NodalVector};
+use ancf::integrators::State;
 use ancf::integrators::counts::Counts;
-use ancf::integrators::{State, integrator};
 use ancf::structure::Structure;
 
 pub const CASE: Case = Case {
@@ -92,28 +93,23 @@ fn spin(method: Method, element: Element, steps: usize, turns: usize, invariant:
 
 /// Largest relative change of an invariant at the ends of the turns.
 fn drift(scene: &Scene, invariant: Invariant) -> Result<(f64, Counts)> {
-    let plan = Plan::of(scene);
-    let structure = Structure::planned(scene, &plan)?;
-    let mut counts = Counts::default();
-    let mut state = State::at_start(&structure);
-    let mut method = integrator(scene, &plan, &structure, &state, &mut counts)?;
-    let mut memory = DVector::zeros(structure.size());
-    let mut value = |state: &State| match invariant {
-        Invariant::Energy => {
-            structure.kinetic_energy(&state.v, &mut memory)
-                + structure.strain_energy(&state.u, &structure.thermal_strains(0.0))
-        }
-        Invariant::AngularMomentum => angular_momentum(scene, &structure, state),
-    };
-    let (start, mut worst) = (value(&state), 0.0);
-    for step in 1..=scene.steps() {
-        method.step(&structure, &mut state, scene.time_after(step), &mut counts)?;
-        if scene.is_row(step) {
-            let change = (value(&state) / start - 1.0).abs();
+    let (mut start, mut worst) = (f64::NAN, 0.0);
+    let counts = each_step(scene, |structure, state, step, _| {
+        let value = || match invariant {
+            Invariant::Energy => {
+                structure.kinetic_energy(&state.v, &mut DVector::zeros(structure.size()))
+                    + structure.strain_energy(&state.u, &structure.thermal_strains(0.0))
+            }
+            Invariant::AngularMomentum => angular_momentum(scene, structure, state),
+        };
+        if step == 0 {
+            start = value();
+        } else if scene.is_row(step) {
+            let change = (value() / start - 1.0).abs();
             // A NaN stays.
             worst = if change <= worst { worst } else { change };
         }
-    }
+    })?;
     Ok((worst, counts))
 }
 

@@ -16,9 +16,7 @@ use super::implicit::{IMPLICIT, Implicit};
 use super::prelude::*;
 use super::richardson;
 use super::rigid_pendulum::RigidPendulum;
-use ancf::integrators::counts::Counts;
-use ancf::integrators::{State, integrator};
-use ancf::structure::Structure;
+use super::steps::each_step;
 
 pub const CASE: Case = Case {
     name: "stiff-limit",
@@ -93,15 +91,11 @@ fn measure(how: Implicit, element: Element, modulus: f64) -> Result<Finding> {
 
 /// The most Newton iterations of one step.
 fn most_iterations(scene: &Scene) -> Result<usize> {
-    let plan = Plan::of(scene);
-    let structure = Structure::planned(scene, &plan)?;
-    let (mut counts, mut most) = (Counts::default(), 0);
-    let mut state = State::at_start(&structure);
-    let mut method = integrator(scene, &plan, &structure, &state, &mut counts)?;
-    for step in 1..=scene.steps() {
-        let before = counts.newton_iterations;
-        method.step(&structure, &mut state, scene.time_after(step), &mut counts)?;
-        most = most.max(counts.newton_iterations - before);
-    }
+    let (mut most, mut before) = (0, 0);
+    each_step(scene, |_, _, step, counts| {
+        // The start may take some as well.
+        most = if step == 0 { 0 } else { most.max(counts.newton_iterations - before) };
+        before = counts.newton_iterations;
+    })?;
     Ok(most)
 }
