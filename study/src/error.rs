@@ -1,11 +1,11 @@
-//! What can go wrong in a study.
+//! Errors of the studies.
 
 use std::path::PathBuf;
 
 /// Result with this crate's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Everything that can go wrong in a study, beside the runs themselves.
+/// Error of a study: a run that failed, an input that is refused, a file, a fixture or a picture that cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// A run of the study failed.
@@ -32,9 +32,9 @@ pub enum Error {
     Name {
         /// The study.
         file: String,
-        /// What was to be named.
+        /// The argument that holds the name.
         key: String,
-        /// The name that is unknown.
+        /// The unknown name.
         value: String,
         /// The known names.
         allowed: String,
@@ -55,7 +55,7 @@ pub enum Error {
         /// The drawing library's reason.
         reason: String,
     },
-    /// A table that was read holds something that is not allowed there.
+    /// A cell of a table that was read is not allowed there.
     #[error("{file}:{line}: `{column}` is {value}; allowed: {allowed}")]
     Table {
         /// The file.
@@ -69,7 +69,7 @@ pub enum Error {
         /// What would have been accepted.
         allowed: String,
     },
-    /// A result is further from its reference than its bound.
+    /// A result is farther from its reference than its bound allows.
     #[error("{count} comparison(s) with the reference failed; the first: {first}")]
     Comparison {
         /// How many failed.
@@ -80,7 +80,12 @@ pub enum Error {
 }
 
 impl Error {
-    /// Whether the input is to blame, and not a run.
+    /// An embedded fixture that cannot be used, with the reason.
+    pub(crate) fn fixture(name: &'static str, reason: impl ToString) -> Error {
+        Error::Fixture { name, reason: reason.to_string() }
+    }
+
+    /// Whether the input is at fault, rather than a run.
     pub fn is_bad_input(&self) -> bool {
         match self {
             Error::Run(error) => error.is_bad_input(),

@@ -1,191 +1,157 @@
-//! `ancf error-time`: error against run time, of every method, mesh and step on the paper's scenes.
+//! `ancf error-time`: error against run time of every method, mesh and step on the paper's scenes.
 //!
-//! The [`case::CASES`] are the scenes, the [`technique::TECHNIQUES`] the methods; [`grid`] tries steps on meshes, and
-//! compares each run with a [`reference::Reference`], which [`converge`] has written. [`pareto`] says which points are worth their
-//! time, [`peers`] reads what another program needs for the same.
+//! `benchmarks` has the scenes, `technique` the methods. `grid` tries steps on meshes, and compares each run with a reference that
+//! `converge` has written. `pareto` finds the points that are worth their time, `peers` reads the runs of another program.
 
-pub mod case;
-pub mod converge;
-pub mod economies;
-pub mod grid;
-pub mod group;
-pub mod machine;
+pub(crate) mod benchmark;
+pub(crate) mod benchmarks;
+mod converge;
+mod economies;
+mod grid;
+mod group;
+mod machine;
 mod page;
-pub mod pareto;
-pub mod peers;
+mod pareto;
+mod peers;
 mod picture;
-pub mod point;
-pub mod reference;
-pub mod row;
-pub mod samples;
-pub mod technique;
-mod text;
-pub mod timing;
-pub mod trial;
+mod point;
+mod printed;
+pub(crate) mod reference;
+pub(crate) mod samples;
+pub(crate) mod setup;
+mod study;
+mod tables;
+pub(crate) mod technique;
+#[cfg(test)]
+mod tests;
+mod timing;
+mod wording;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use indicatif::{ProgressBar, ProgressStyle};
-use serde::Serialize;
-
 use crate::error::Result;
-use crate::files::Files;
+use crate::files::{Files, written};
+use crate::parallel::progress_bar;
+use crate::scene::ELEMENTS;
 use ancf::model::Element;
-use case::{Case, ELEMENTS};
-use economies::Economy;
-use grid::{Reach, Subject};
+use benchmarks::named;
+use grid::{Limits, Subject};
 use group::Group;
 use machine::Machine;
 use peers::Peer;
 use reference::Reference;
+use study::ErrorTimeStudy;
+pub use study::Options;
 
-/// What is measured.
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct Options {
-    /// Names of scenes; all if there are none.
-    pub scenes: Vec<String>,
-    /// The other program's runs; `None`: [`PEERS`] in the folder of the output, if it is there.
-    pub peers: Option<PathBuf>,
-    /// A coarse grid, of the flexible pendulum if no scene is named.
-    pub quick: bool,
-}
+/// File of the other program's runs.
+const PEERS: &str = "peers.csv";
 
-/// The file of the other program's runs.
-pub const PEERS: &str = "peers.csv";
-
-/// The scene of the quick study.
+/// Scene of the quick study.
 const QUICK_SCENE: &str = "pendulum-flexible";
-
-/// `error-time.json`.
-#[derive(Debug, Serialize)]
-pub struct Study {
-    /// What was asked for.
-    pub options: Options,
-    /// Where it was measured.
-    pub machine: Machine,
-    /// How long it took, s.
-    pub wall_seconds: f64,
-    /// What is known of the other program.
-    pub peers: String,
-    /// The other program's rows: options and samples.
-    pub peer_rows: Vec<Peer>,
-    /// Scenes with their elements.
-    pub groups: Vec<Group>,
-    /// What leaving things out saves.
-    pub economies: Vec<Economy>,
-}
 
 /// `ancf error-time`: measures, prints and writes.
 ///
 /// # Errors
-/// [`Error::Scene`](crate::error::Error::Scene) for a scene that is not in the study, [`Error::Table`](crate::error::Error::Table)
-/// for a malformed file of the other program, [`Error::Fixture`](crate::error::Error::Fixture) for a reference that is missing or
-/// broken, [`Error::Write`](crate::error::Error::Write). Runs that fail are points of the result.
+/// [`Error::Name`](crate::error::Error::Name) for a scene that is not in the study, [`Error::Table`](crate::error::Error::Table) for a malformed
+/// file of the other program, [`Error::Fixture`](crate::error::Error::Fixture) for a missing or broken reference,
+/// [`Error::Write`](crate::error::Error::Write). Runs that fail are points of the result.
 pub fn study(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
-    // First, so that a folder that cannot be written is not found after the work.
+    // First, so that a folder that cannot be written is found before the work.
     let mut files = Files::in_folder(out)?;
-    let (study, _) = part(options, out, &mut files, &print)?;
-    let paths = files.publish()?;
-    print(&paths.iter().map(|path| format!("wrote {}\n", path.display())).collect::<String>())?;
-    print(&format!("{:.1} s in all\n", study.wall_seconds))
+    let (seconds, _) = part(options, out, &mut files, &print)?;
+    print(&written(&files.publish()?))?;
+    print(&format!("{seconds:.1} s in all\n"))
 }
 
-/// The study, with its picture, as a part of another job, whose files it adds to: measured, printed, and written but not published.
-/// `out` is where the other program's runs are looked for.
-///
-/// # Errors
-/// Those of [`study`].
-pub fn part(
+/// The study as a part of another job: measures, prints and adds to its files. Returns the run time, s, and the picture. `out` is the folder
+/// with the other program's runs.
+pub(crate) fn part(
     options: &Options,
     out: &Path,
     files: &mut Files,
     print: impl Fn(&str) -> Result<()>,
-) -> Result<(Study, String)> {
+) -> Result<(f64, String)> {
     let study = measure(options, out, &print)?;
     let svg = picture::svg(&study.groups)?;
     let html = page::page(&study, &svg);
-    let points = || study.groups.iter().flat_map(|group| group.points.iter().chain(group.own_peers()));
-    files.write("error-time.csv", |file| row::write(file, points()))?;
+    let points = study.groups.iter().flat_map(Group::all_points);
+    files.write("error-time.csv", |file| tables::points(points).csv(file))?;
     files.write("error-time.json", |file| Ok(serde_json::to_writer_pretty(file, &study)?))?;
     files.write("error-time.svg", |file| file.write_all(svg.as_bytes()))?;
     files.write("error-time.html", |file| file.write_all(html.as_bytes()))?;
-    Ok((study, svg))
+    Ok((study.wall_seconds, svg))
 }
 
-fn measure(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<Study> {
+fn measure(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<ErrorTimeStudy> {
     let clock = Instant::now();
-    let (rows, known) = read_peers(options, out)?;
+    let (rows, peers) = read_peers(options, out)?;
     let subjects = subjects(options)?;
-    let reach = if options.quick { Reach::QUICK } else { Reach::FULL };
+    let limits = if options.quick { Limits::QUICK } else { Limits::FULL };
     let machine = Machine::here();
-    print(&format!("Error against run time. {}\n{known}\n\n", machine.line()))?;
+    print(&format!("Error against run time. {}\n{peers}\n\n", machine.line()))?;
 
-    let bar = progress(&subjects, &reach);
+    // The bar has no thread of its own, which would disturb the times.
+    let mesh_runs = |subject: &Subject| subject.meshes(&limits).len() * subject.techniques().count();
+    let bar = progress_bar("", subjects.iter().map(mesh_runs).sum());
     let (mut groups, mut peer_rows) = (Vec::new(), Vec::new());
     for subject in &subjects {
-        bar.set_message(format!("{}, {}", subject.case.scene, subject.element));
-        let mut group = Group::new(subject, subject.points(&reach, || bar.inc(1))?)?;
-        // The other program's errors are distances from the limit of its own theory, whichever element of ours is beside it.
-        let theirs = Reference::embedded(subject.case, Element::EulerBernoulli)?;
-        let of_scene = rows.iter().filter(|row| row.case == subject.case).cloned();
+        bar.set_message(format!("{}, {}", subject.benchmark.scene, subject.element));
+        let mut group = Group::new(subject, subject.points(&limits, || bar.inc(1))?)?;
+        // The other program's errors are distances from the limit of its own theory, in the groups of both elements.
+        let theirs = Reference::embedded(subject.benchmark, Element::EulerBernoulli)?;
+        let of_scene = rows.iter().filter(|row| row.benchmark == subject.benchmark).cloned();
         let compared: Vec<Peer> = of_scene.map(|row| row.compared(&theirs)).collect();
         group.peers = compared.iter().map(|peer| peer.point.clone()).collect();
-        if group.has_theory_of_peers() {
+        if group.is_euler_bernoulli() {
             peer_rows.extend(compared);
         }
-        bar.suspend(|| print(&text::group(&group)))?;
+        bar.suspend(|| print(&printed::group(&group)))?;
         groups.push(group);
     }
     bar.finish_and_clear();
     let economies = economies::measure()?;
-    print(&text::economies(&economies))?;
+    print(&format!(
+        "Economies, each left out where a scene does not need it:\n{}\n",
+        tables::economies(&economies).text()
+    ))?;
     let wall_seconds = clock.elapsed().as_secs_f64();
-    Ok(Study { options: options.clone(), machine, wall_seconds, peers: known, peer_rows, groups, economies })
+    Ok(ErrorTimeStudy { options: options.clone(), machine, wall_seconds, peers, peer_rows, groups, economies })
 }
 
 /// The scenes with both elements, and their references.
 fn subjects(options: &Options) -> Result<Vec<Subject>> {
     let quick = options.quick && options.scenes.is_empty();
-    let cases = if quick { Case::named(&[QUICK_SCENE.into()])? } else { Case::named(&options.scenes)? };
-    let subject = |case: &'static Case, element: Element| {
-        Ok(Subject { case, element, reference: Reference::embedded(case, element)? })
-    };
-    let pairs = cases.into_iter().flat_map(|case| ELEMENTS.map(|element| (case, element)));
-    pairs.map(|(case, element)| subject(case, element)).collect()
+    let benchmarks = if quick { named(&[QUICK_SCENE.into()])? } else { named(&options.scenes)? };
+    let pairs = benchmarks.into_iter().flat_map(|benchmark| ELEMENTS.map(|element| (benchmark, element)));
+    let subject =
+        |(benchmark, element)| Ok(Subject { benchmark, element, reference: Reference::embedded(benchmark, element)? });
+    pairs.map(subject).collect()
 }
 
 /// The other program's rows, and a sentence on them.
 fn read_peers(options: &Options, out: &Path) -> Result<(Vec<Peer>, String)> {
-    let usual = out.join(PEERS);
+    let default = out.join(PEERS);
     let file = match &options.peers {
         Some(file) => file,
-        None if usual.exists() => &usual,
+        None if default.exists() => &default,
         None => {
-            let known = format!("No other program was measured: `{} --out {}` does.", peers::COMMAND, usual.display());
-            return Ok((Vec::new(), known));
+            let how = format!("`{} --out {}` does", peers::COMMAND, default.display());
+            return Ok((Vec::new(), format!("No other program was measured: {how}.")));
         }
     };
     let rows = peers::read(file)?;
     let mut programs: Vec<&str> = rows.iter().map(|row| row.point.program.as_str()).collect();
     programs.sort_unstable();
     programs.dedup();
-    let known = format!("{}: {} runs, {}.", programs.join(", "), rows.len(), file.display());
-    Ok((rows, known))
+    let sentence = format!("{}: {} runs, {}.", programs.join(", "), rows.len(), file.display());
+    Ok((rows, sentence))
 }
 
-/// A bar with the time left, on a terminal; nothing in a pipe. It has no thread of its own, which would disturb the times.
-fn progress(subjects: &[Subject], reach: &Reach) -> ProgressBar {
-    let walks = |subject: &Subject| subject.meshes(reach).len() * subject.techniques().count();
-    let bar = ProgressBar::new(subjects.iter().map(walks).sum::<usize>() as u64);
-    let style = ProgressStyle::with_template("{msg} {bar:30} {pos}/{len}, {eta} left");
-    style.map_or(bar.clone(), |style| bar.with_style(style))
-}
-
-/// `ancf error-time --references`: writes the converged references of the scenes into a folder.
+/// `ancf error-time --references`: writes the converged references of the scenes into a folder, and returns their paths.
 ///
 /// # Errors
-/// Those of [`converge::write_references`].
+/// Those of the runs; [`Error::Name`](crate::error::Error::Name), [`Error::Write`](crate::error::Error::Write).
 pub fn references(scenes: &[String], folder: &Path) -> Result<Vec<PathBuf>> {
-    converge::write_references(&Case::named(scenes)?, folder)
+    converge::write_references(&named(scenes)?, folder)
 }

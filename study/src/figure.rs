@@ -1,11 +1,11 @@
-//! Pictures as SVG: curves over time in panels above each other.
+//! Pictures of curves over time, in panels one above the other.
 
 use std::ops::Range;
 
-use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::error::{Error, Result};
+use crate::canvas::{self, Area, Drawn, Size};
+use crate::error::Result;
 
 /// A curve of a panel.
 pub struct Curve<'a> {
@@ -17,12 +17,12 @@ pub struct Curve<'a> {
     pub stroke: Stroke,
     /// (time, value).
     pub points: Vec<(f64, f64)>,
-    /// How far each value may be off, drawn as a bar; empty where that is not known.
+    /// Uncertainty of each value, drawn as a bar; empty if unknown.
     pub uncertainty: Vec<f64>,
 }
 
 impl<'a> Curve<'a> {
-    /// A line of values that are as exact as can be drawn.
+    /// A line without error bars.
     pub fn line(name: &'a str, colour: RGBColor, points: Vec<(f64, f64)>) -> Curve<'a> {
         Curve { name, colour, stroke: Stroke::Line, points, uncertainty: Vec::new() }
     }
@@ -32,76 +32,54 @@ impl<'a> Curve<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stroke {
     Line,
-    /// Thin and pale, behind what matters more.
+    /// Thin and pale, for the background.
     Faint,
-    /// Thin, for what is on top of it.
+    /// Thin, on top of a faint one.
     Thin,
     /// Broad and pale, so that a line on top of it does not hide it.
     Broad,
-    /// A dot a value.
+    /// A dot for each value.
     Dots,
 }
 
 /// One panel: a quantity over time.
 pub struct Panel<'a> {
-    /// What stands at its axis, with the unit.
+    /// Label of its axis, with the unit.
     pub quantity: String,
     /// Its curves.
     pub curves: Vec<Curve<'a>>,
 }
 
-pub(super) const WIDTH: u32 = 960;
+pub const WIDTH: u32 = 960;
 const PANEL_HEIGHT: u32 = 320;
-pub(super) const TITLE_HEIGHT: u32 = 44;
+pub const TITLE_HEIGHT: u32 = 44;
 
-/// Places are whole numbers for the library: so many of them in a pixel keep curves smooth.
+/// Parts of a pixel.
 const FINE: u32 = 4;
 
 /// Draws the panels under a title.
 ///
 /// # Errors
-/// [`Error::Picture`] with the library's reason.
+/// [`Error::Picture`](crate::error::Error::Picture) with the library's reason.
 pub fn svg(title: &str, panels: &[Panel]) -> Result<String> {
-    let mut text = String::new();
-    let height = TITLE_HEIGHT + PANEL_HEIGHT * panels.len() as u32;
-    let fine = (WIDTH * FINE, height * FINE);
-    draw(title, panels, SVGBackend::with_string(&mut text, fine))
-        .map_err(|reason| Error::Picture { title: title.to_string(), reason: reason.to_string() })?;
-    let size = |(width, height): (u32, u32)| format!("<svg width=\"{width}\" height=\"{height}\"");
-    // The view box remains.
-    Ok(text.replacen(&size(fine), &size((WIDTH, height)), 1))
+    let size = Size { width: WIDTH, head: TITLE_HEIGHT, body: PANEL_HEIGHT * panels.len() as u32, parts: FINE };
+    canvas::svg(title, size, |_, body| {
+        let points = panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
+        let times = extent(points.map(|point| point.0), 0.0);
+        for (n, (area, panel)) in body.split_evenly((panels.len(), 1)).iter().zip(panels).enumerate() {
+            // One legend for all panels with the same curves.
+            let differs = legend_entries(panel) != legend_entries(&panels[0]);
+            draw_panel(area, panel, times.clone(), n == 0 || differs)?;
+        }
+        Ok(())
+    })
 }
 
-/// What drawing ends with.
-pub(super) type DrawingResult<'a> =
-    std::result::Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
-
-fn draw<'a>(title: &str, panels: &[Panel], backend: SVGBackend<'a>) -> DrawingResult<'a> {
-    let root = backend.into_drawing_area();
-    root.fill(&WHITE)?;
-    let (head, body) = root.split_vertically(TITLE_HEIGHT * FINE);
-    head.titled(title, ("sans-serif", 20 * FINE))?;
-    let points = panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
-    let times = extent(points.map(|point| point.0), 0.0);
-    for (n, (area, panel)) in body.split_evenly((panels.len(), 1)).iter().zip(panels).enumerate() {
-        // The colours mean the same in all panels; the first explains them, and those that are drawn otherwise.
-        let differs = drawn(panel) != drawn(&panels[0]);
-        draw_panel(area, panel, times.clone(), n == 0 || differs)?;
-    }
-    root.present()
-}
-
-/// What a legend says of a panel.
-fn drawn<'a>(panel: &'a Panel<'a>) -> impl PartialEq + 'a {
+fn legend_entries<'a>(panel: &'a Panel<'a>) -> impl PartialEq + 'a {
     panel.curves.iter().map(|curve| (curve.name, curve.stroke)).collect::<Vec<_>>()
 }
 
-fn draw_panel<'a>(
-    area: &DrawingArea<SVGBackend<'a>, Shift>,
-    panel: &Panel,
-    times: Range<f64>,
-    legend: bool,
-) -> DrawingResult<'a> {
+fn draw_panel(area: &Area, panel: &Panel, times: Range<f64>, legend: bool) -> Drawn {
     let values = extent(panel.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1), 0.05);
     let mut chart = ChartBuilder::on(area)
         .margin(10 * FINE)
@@ -152,7 +130,7 @@ fn draw_panel<'a>(
     Ok(())
 }
 
-/// Where a legend hides the fewest points.
+/// The corner in which a legend hides the fewest points.
 fn emptiest_corner(panel: &Panel, times: &Range<f64>, values: &Range<f64>) -> SeriesLabelPosition {
     /// Pixels of a legend beside and above its lines, of a line, of a character, and of the panel's axes.
     const FRAME: (f64, f64) = (50.0, 20.0);
@@ -181,13 +159,13 @@ fn emptiest_corner(panel: &Panel, times: &Range<f64>, values: &Range<f64>) -> Se
     corners.into_iter().min_by_key(|(hidden, _)| *hidden).unwrap_or(first).1
 }
 
-/// A line from the least to the largest that each value may be.
+/// A line from the least to the largest possible value, for each value.
 fn error_bars(curve: &Curve) -> impl Iterator<Item = [(f64, f64); 2]> {
     curve.points.iter().zip(&curve.uncertainty).map(|((t, v), u)| [(*t, v - u), (*t, v + u)])
 }
 
-/// The points, or where there are more than can be seen the least and the largest value of each piece of the time, in
-/// their order: a picture does not lose a peak.
+/// The points; or, of more than the picture can resolve, the least and the largest value of each piece of time, in their order, so that
+/// no peak is lost.
 fn envelope(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let piece = points.len() / WIDTH as usize;
     if piece < 3 {
@@ -203,8 +181,8 @@ fn envelope(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.chunks(piece).flat_map(extremes).collect()
 }
 
-/// The range of the values, widened on either side by a fraction of itself.
-pub(super) fn extent(values: impl Iterator<Item = f64>, margin: f64) -> Range<f64> {
+/// Range of the values, widened on either side by a fraction of itself.
+pub fn extent(values: impl Iterator<Item = f64>, margin: f64) -> Range<f64> {
     let (low, high) = values.fold((f64::MAX, f64::MIN), |(low, high), v| (low.min(v), high.max(v)));
     let widen = margin * (high - low);
     low - widen..high + widen

@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 
 /// Output files of one command: written under temporary names first, then given their names together.
 ///
-/// What is dropped without [`Files::publish`] leaves nothing behind but the folder.
+/// Files that are dropped without [`Files::publish`] leave nothing behind but the folder.
 #[derive(Debug)]
 pub struct Files {
     folder: PathBuf,
@@ -58,6 +58,11 @@ impl Files {
         }
         Ok(published)
     }
+}
+
+/// The lines that tell a person which files were written.
+pub fn written(paths: &[PathBuf]) -> String {
+    paths.iter().map(|path| format!("wrote {}\n", path.display())).collect()
 }
 
 fn write_error(path: &Path) -> impl FnOnce(io::Error) -> Error {

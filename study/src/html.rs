@@ -1,55 +1,55 @@
-//! HTML, as far as the pages need it. Every text is escaped.
+//! HTML pages. All text is escaped.
 
-/// A page in the making.
+use crate::escape::escape;
+use crate::table::Table;
+
+/// A page under construction.
 #[derive(Debug, Default)]
 pub struct Html(String);
 
 impl Html {
-    /// A heading of the second level.
+    fn element(&mut self, tag: &str, text: &str) {
+        self.0 += &format!("<{tag}>{}</{tag}>\n", escape(text));
+    }
+
+    /// Adds a heading of the second level.
     pub fn heading(&mut self, text: &str) {
-        self.0 += &format!("<h2>{}</h2>\n", escape(text));
+        self.element("h2", text);
     }
 
-    /// A heading of the third level.
+    /// Adds a heading of the third level.
     pub fn subheading(&mut self, text: &str) {
-        self.0 += &format!("<h3>{}</h3>\n", escape(text));
+        self.element("h3", text);
     }
 
-    /// A paragraph.
+    /// Adds a paragraph.
     pub fn paragraph(&mut self, text: &str) {
-        self.0 += &format!("<p>{}</p>\n", escape(text));
+        self.element("p", text);
     }
 
-    /// A list.
+    /// Adds a list.
     pub fn list(&mut self, items: &[String]) {
-        let items: String = items.iter().map(|item| format!("<li>{}</li>\n", escape(item))).collect();
-        self.0 += &format!("<ul>\n{items}</ul>\n");
+        self.0 += "<ul>\n";
+        items.iter().for_each(|item| self.element("li", item));
+        self.0 += "</ul>\n";
     }
 
-    /// A table; the first column are names.
-    pub fn table(&mut self, head: &[&str], rows: &[Vec<String>]) {
-        let head: String = head.iter().map(|cell| format!("<th>{}</th>", escape(cell))).collect();
-        let row = |cells: &Vec<String>| {
-            let cells: String = cells.iter().map(|cell| format!("<td>{}</td>", escape(cell))).collect();
-            format!("<tr>{cells}</tr>\n")
-        };
-        let rows: String = rows.iter().map(row).collect();
-        self.0 += &format!(
-            "<div class=\"wide\"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody></table></div>\n"
-        );
+    /// Adds a table.
+    pub fn table(&mut self, table: &Table) {
+        self.0 += &table.html();
     }
 
-    /// Text whose columns stand below one another.
+    /// Adds text whose columns are aligned by spaces.
     pub fn preformatted(&mut self, text: &str) {
         self.0 += &format!("<div class=\"wide\"><pre>{}</pre></div>\n", escape(text));
     }
 
-    /// A picture that this program has drawn; as it is.
+    /// Adds a picture that this program has drawn, unescaped.
     pub fn svg(&mut self, svg: &str) {
         self.0 += &format!("<figure>{svg}</figure>\n");
     }
 
-    /// The same with what stands below it.
+    /// Adds a picture with a caption.
     pub fn figure(&mut self, svg: &str, caption: &str) {
         self.0 += &format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", escape(caption));
     }
@@ -70,18 +70,21 @@ table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums
 th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid #ddd;vertical-align:top}\
 th{border-bottom:2px solid #888}figure{margin:1rem 0}figcaption{font-size:.8rem;color:#666}svg{max-width:100%;height:auto}pre{font-size:.8rem}.wide{overflow-x:auto}";
 
-/// Text with the characters that mean something in HTML written as such.
-pub fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped += "&amp;",
-            '<' => escaped += "&lt;",
-            '>' => escaped += "&gt;",
-            '"' => escaped += "&quot;",
-            '\'' => escaped += "&#39;",
-            other => escaped.push(other),
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::cells;
+
+    #[test]
+    fn text_is_escaped() {
+        let mut html = Html::default();
+        html.heading("<1>");
+        html.paragraph("<2>");
+        html.list(&["<3>".into()]);
+        html.table(&Table::new("<4>", [cells!["<5>"]]));
+        let page = html.page("<6>");
+        for number in 1..=6 {
+            assert!(page.contains(&format!("&lt;{number}&gt;")) && !page.contains(&format!("<{number}>")), "{page}");
         }
     }
-    escaped
 }

@@ -1,16 +1,24 @@
-//! The main job: the paper's Sections 3 and 4, recomputed and compared with the oracles; [`error_time`], error against run time; [`stability`], stiff
-//! and extreme cases.
+//! The evidence for `ancf`: [`main_job`] recomputes the paper's Sections 3 and 4 and compares them with the oracles; [`error_time`] measures
+//! error against run time; [`stability`] runs stiff and extreme cases.
 
+mod axis;
+mod canvas;
 pub mod error;
 pub mod error_time;
+mod escape;
 mod figure;
 pub mod files;
-pub mod html;
-mod page;
+mod fixture;
+mod html;
+mod main_job;
 mod palette;
 mod paper;
 mod parallel;
+mod path;
+mod report_page;
+mod scene;
 mod snapshot;
 pub mod stability;
+mod table;
 
-pub use paper::main_job::main_job;
+pub use main_job::main_job;

@@ -1,4 +1,4 @@
-//! Okabe and Ito's colours, told apart by the colour-blind too, and which method has which of them in every picture.
+//! Okabe and Ito's colours, which the colour-blind can distinguish, and the colour that a method has in every picture.
 
 use plotters::style::RGBColor;
 

@@ -1,14 +1,15 @@
-//! Pictures as SVG: a structure at several instants.
+//! Pictures of a structure at several instants.
 
 use plotters::prelude::*;
 
-use super::figure::{DrawingResult, TITLE_HEIGHT, WIDTH, extent};
-use super::palette::{BLUE, ORANGE};
-use crate::error::{Error, Result};
+use crate::canvas::{self, Area, Drawn, Size};
+use crate::error::Result;
+use crate::figure::{TITLE_HEIGHT, WIDTH, extent};
+use crate::palette::{BLUE, ORANGE};
 
 /// A structure at one instant.
 pub struct Snapshot {
-    /// What stands above it.
+    /// Title above it.
     pub title: String,
     /// Its rods, from point to point, m.
     pub rods: Vec<Vec<(f64, f64)>>,
@@ -20,39 +21,32 @@ pub struct Snapshot {
 pub struct Name {
     /// The name.
     pub text: String,
-    /// Where the point is, m.
+    /// Position of the point, m.
     pub at: (f64, f64),
-    /// Whether it is written above the point, or below.
+    /// Written above the point, or below.
     pub above: bool,
 }
 
 const COLUMNS: usize = 2;
 const HEIGHT: u32 = 240;
 
-/// Draws snapshots beside and below each other, all to the same scale, x and y alike.
+/// Draws snapshots in rows of two, all to one scale, x and y alike.
 ///
 /// # Errors
-/// [`Error::Picture`] with the library's reason.
+/// [`Error::Picture`](crate::error::Error::Picture) with the library's reason.
 pub fn svg(title: &str, snapshots: &[Snapshot]) -> Result<String> {
-    let mut text = String::new();
     let rows = snapshots.len().div_ceil(COLUMNS);
-    let height = TITLE_HEIGHT + HEIGHT * rows as u32;
-    draw(title, snapshots, rows, SVGBackend::with_string(&mut text, (WIDTH, height)))
-        .map_err(|reason| Error::Picture { title: title.to_string(), reason: reason.to_string() })?;
-    Ok(text)
+    let size = Size { width: WIDTH, head: TITLE_HEIGHT, body: HEIGHT * rows as u32, parts: 1 };
+    canvas::svg(title, size, |_, body| draw(body, snapshots, rows))
 }
 
-fn draw<'a>(title: &str, snapshots: &[Snapshot], rows: usize, backend: SVGBackend<'a>) -> DrawingResult<'a> {
+fn draw(body: &Area, snapshots: &[Snapshot], rows: usize) -> Drawn {
     const MARGIN: u32 = 10;
     const LABELS: (u32, u32) = (30, 60);
     const CAPTION: u32 = 22;
-    let root = backend.into_drawing_area();
-    root.fill(&WHITE)?;
-    let (head, body) = root.split_vertically(TITLE_HEIGHT);
-    head.titled(title, ("sans-serif", 20))?;
     let points = || snapshots.iter().flat_map(|snapshot| snapshot.rods.iter().flatten());
     let (x, y) = (extent(points().map(|point| point.0), 0.05), extent(points().map(|point| point.1), 0.15));
-    // One metre is as long on both axes: the axis with room to spare reaches further.
+    // One metre is as long on both axes: the axis with room to spare reaches farther.
     let width = f64::from(WIDTH / COLUMNS as u32 - LABELS.1 - 2 * MARGIN);
     let height = f64::from(HEIGHT - LABELS.0 - CAPTION - 2 * MARGIN);
     let pixel = ((x.end - x.start) / width).max((y.end - y.start) / height);
@@ -75,5 +69,5 @@ fn draw<'a>(title: &str, snapshots: &[Snapshot], rows: usize, backend: SVGBacken
             chart.draw_series([EmptyElement::at(*at) + label])?;
         }
     }
-    root.present()
+    Ok(())
 }

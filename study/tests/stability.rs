@@ -1,9 +1,8 @@
-//! The table of stiff and extreme cases: its fast subset has the rows that are expected of each case, and none that is WRONG.
+//! The fast subset of the stiff and extreme cases: each case has the expected numbers of rows, and none is WRONG.
 
 use std::sync::LazyLock;
 
-use ancf_study::stability::row::{Row, Verdict};
-use ancf_study::stability::{Reach, Study, measure, names};
+use ancf_study::stability::{StabilityRow, StabilityStudy, Subset, Verdict, measure, names};
 
 /// Rows of the fast subset that are right, right with warning, and refused.
 const EXPECTED: [(&str, [usize; 3]); 22] = [
@@ -31,13 +30,13 @@ const EXPECTED: [(&str, [usize; 3]); 22] = [
     ("inclined-printed-shear", [28, 0, 0]),
 ];
 
-/// Computed once for all tests.
-static STUDY: LazyLock<Study> = LazyLock::new(|| measure(&[], Reach::Fast).unwrap());
+/// The fast subset, computed once for all tests.
+static STUDY: LazyLock<StabilityStudy> = LazyLock::new(|| measure(&[], Subset::Fast).unwrap());
 
 #[test]
 fn no_row_of_the_fast_subset_is_wrong() {
     let study = &*STUDY;
-    let wrong: Vec<String> = study.wrong().map(Row::line).collect();
+    let wrong: Vec<String> = study.wrong().map(StabilityRow::line).collect();
     assert!(wrong.is_empty(), "{} rows:\n{}", wrong.len(), wrong.join("\n"));
     let counted: Vec<(&str, [usize; 3])> = study
         .cases
@@ -53,23 +52,23 @@ fn no_row_of_the_fast_subset_is_wrong() {
 }
 
 #[test]
-fn every_bound_says_what_it_is_made_of_and_every_refusal_why() {
+fn every_bound_has_its_parts_and_every_refusal_its_reason() {
     for row in STUDY.rows() {
         match row.verdict {
             Verdict::Refused => assert!(row.error.is_none() && row.note.len() > 20, "{}", row.line()),
             _ => assert!(!row.why.is_empty() && row.bound.is_some_and(|bound| bound > 0.0), "{}", row.line()),
         }
-        // What is marked as showing little is so by the numbers beside it.
+        // A mark for showing little follows from bound and size.
         let loose = row.bound.zip(row.size).is_some_and(|(bound, size)| bound > 1e-2 * size);
         assert_eq!(row.loose, loose, "{}", row.line());
     }
 }
 
 #[test]
-fn values_near_a_limit_are_told_from_it() {
-    let study = measure(&["poisson".into()], Reach::Fast).unwrap();
+fn values_near_a_limit_differ_from_it() {
+    let study = measure(&["poisson".into()], Subset::Fast).unwrap();
     let full = study.rows().filter(|row| row.variant.contains("full"));
-    let mut shown: Vec<String> = full.map(Row::shown).collect();
+    let mut shown: Vec<String> = full.map(StabilityRow::shown).collect();
     let count = shown.len();
     shown.sort();
     shown.dedup();
@@ -79,6 +78,6 @@ fn values_near_a_limit_are_told_from_it() {
 
 #[test]
 fn an_unknown_case_is_named() {
-    let message = measure(&["slendernes".into()], Reach::Fast).unwrap_err().to_string();
+    let message = measure(&["slendernes".into()], Subset::Fast).unwrap_err().to_string();
     assert!(message.contains("slendernes") && message.contains("`slenderness`"), "{message}");
 }

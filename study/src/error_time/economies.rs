@@ -1,5 +1,4 @@
-//! What each economy of the plan saves: run time with and without it on a scene where it applies, and what it changes of the
-//! results.
+//! Savings of the plan: run time with and without each economy on a scene where it applies, and the change of the results.
 
 use std::time::Instant;
 
@@ -7,77 +6,64 @@ use serde::Serialize;
 
 use super::timing::{RUNS, Timing};
 use crate::error::{Error, Result};
+use crate::scene::{Change, builtin};
 use ancf::model::plan::Plan;
 use ancf::model::{Constraints, Element, Method, Quantity, Scene};
 use ancf::run::{Run, run_planned};
 
-/// An economy and what it saves.
+/// An economy of the plan: its saving of run time, and the change of the results.
 #[derive(Clone, Debug, Serialize)]
 pub struct Economy {
-    /// What is left out.
+    /// The part that is left out.
     pub what: &'static str,
-    /// Where it was measured.
+    /// The measured scene.
     pub scene: String,
-    /// Run time without what is left out, and with it.
+    /// Run time without that part.
     pub pruned: Timing,
-    /// The same with it.
+    /// Run time with it.
     pub full: Timing,
     /// Largest distance of the probe's positions between the two, m.
     pub difference: f64,
 }
 
-impl Economy {
-    /// How many times as long a run takes with what is left out.
-    pub fn ratio(&self) -> f64 {
-        self.full.median / self.pruned.median
-    }
-}
-
-/// A scene and what it is compared with.
-struct Comparison {
+/// Two scenes with their plans: with and without the economy.
+struct PlanPair {
     what: &'static str,
     pruned: (Scene, Plan),
     full: (Scene, Plan),
 }
 
-/// Measures all of them.
+/// Measures all economies.
 ///
 /// # Errors
 /// Those of the runs.
 pub fn measure() -> Result<Vec<Economy>> {
-    comparisons()?.into_iter().map(measured).collect()
+    pairs()?.into_iter().map(measured).collect()
 }
 
 fn scene(name: &'static str, method: Method, step: f64, elements: usize) -> Result<Scene> {
-    let missing = || Error::Fixture { name, reason: "there is no such scene".into() };
-    let mut scene = Scene::builtin(name).ok_or_else(missing)?;
-    scene.rods.iter_mut().for_each(|rod| rod.elements = elements);
-    (scene.time.method, scene.time.step, scene.time.end) = (method, step, 1.0);
+    let mut scene = builtin(name)?.meshed(Element::Ancf, elements).solved(method, step, 1.0).rows_every(0.01);
     scene.output.energy = false;
-    scene.output.interval = Some(0.01);
-    for probe in &mut scene.probes {
-        probe.of.retain(|quantity| *quantity == Quantity::Position);
-    }
+    scene.probes.iter_mut().for_each(|probe| probe.of.retain(|quantity| *quantity == Quantity::Position));
     scene.probes.retain(|probe| !probe.of.is_empty());
     Ok(scene)
 }
 
-/// The same scene with a plan that computes more than it needs.
-fn with(what: &'static str, scene: Scene, more: impl FnOnce(&mut Plan)) -> Comparison {
+/// A scene with its own plan, and with one that computes more.
+fn with(what: &'static str, scene: Scene, more: impl FnOnce(&mut Plan)) -> PlanPair {
     let pruned = Plan::of(&scene);
     let mut full = pruned;
     more(&mut full);
-    Comparison { what, pruned: (scene.clone(), pruned), full: (scene, full) }
+    PlanPair { what, pruned: (scene.clone(), pruned), full: (scene, full) }
 }
 
-fn comparisons() -> Result<Vec<Comparison>> {
+fn pairs() -> Result<Vec<PlanPair>> {
     let explicit = || scene("pendulum-flexible", Method::Explicit, 5e-5, 8);
     let implicit = || scene("pendulum-flexible", Method::GeneralizedAlpha, 1e-3, 8);
     let scissors = || scene("scissors-3", Method::GeneralizedAlpha, 1e-3, 4);
     let mut pinned = scissors()?;
     pinned.constraints = Constraints::Multipliers;
-    let mut cable = implicit()?;
-    cable.rods.iter_mut().for_each(|rod| rod.element = Element::EulerBernoulli);
+    let cable = implicit()?.meshed(Element::EulerBernoulli, 8);
     let shared = scissors()?;
     Ok(vec![
         with("no `temperature`: no thermal strains", explicit()?, |plan| plan.heat = true),
@@ -85,9 +71,9 @@ fn comparisons() -> Result<Vec<Comparison>> {
         with("no `gravity`: no weight", scissors()?, |plan| plan.weight = true),
         with("no energy columns: no energies", explicit()?, |plan| plan.energy = true),
         with("no probe of it: no accelerations and reactions", explicit()?, |plan| plan.acceleration = true),
-        with("earlier tangent and factors used again", implicit()?, |plan| plan.new_matrices = true),
-        with("the same, Euler–Bernoulli elements", cable, |plan| plan.new_matrices = true),
-        Comparison {
+        with("earlier tangent and factors reused", implicit()?, |plan| plan.new_matrices = true),
+        with("earlier tangent and factors, Euler–Bernoulli", cable, |plan| plan.new_matrices = true),
+        PlanPair {
             what: "pins as shared coordinates: no multipliers",
             pruned: (shared.clone(), Plan::of(&shared)),
             full: (pinned.clone(), Plan::of(&pinned)),
@@ -95,8 +81,8 @@ fn comparisons() -> Result<Vec<Comparison>> {
     ])
 }
 
-/// Both runs in turn, so that slow phases of the machine hit both.
-fn measured(Comparison { what, pruned, full }: Comparison) -> Result<Economy> {
+/// Times both runs alternately, so that slow phases of the machine affect both.
+fn measured(PlanPair { what, pruned, full }: PlanPair) -> Result<Economy> {
     let timed = |(scene, plan): &(Scene, Plan)| -> Result<(Run, f64)> {
         let clock = Instant::now();
         let run = run_planned(scene, plan, |_| ())?;
@@ -108,7 +94,7 @@ fn measured(Comparison { what, pruned, full }: Comparison) -> Result<Economy> {
         without.push(timed(&pruned)?.1);
         all.push(timed(&full)?.1);
     }
-    let nothing = || Error::Fixture { name: "economies", reason: "nothing was measured".into() };
+    let nothing = || Error::fixture("economies", "nothing was measured");
     Ok(Economy {
         what,
         scene: name(&pruned.0),
@@ -118,10 +104,11 @@ fn measured(Comparison { what, pruned, full }: Comparison) -> Result<Economy> {
     })
 }
 
+/// The scene with its mesh, step and end.
 fn name(scene: &Scene) -> String {
-    let kind = if scene.rods.len() == 1 { "pendulum-flexible" } else { "scissors-3" };
+    let name = if scene.rods.len() == 1 { "pendulum-flexible" } else { "scissors-3" };
     let elements = scene.rods.first().map_or(0, |rod| rod.elements);
-    format!("{kind}, {}, {elements} elements, {:e} s, to {} s", scene.time.method, scene.time.step, scene.time.end)
+    format!("{name}, {}, {elements} elements, {:e} s, to {} s", scene.time.method, scene.time.step, scene.time.end)
 }
 
 /// Largest difference of a position's component, m.

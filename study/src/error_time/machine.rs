@@ -1,33 +1,33 @@
-//! Where and with what times were measured.
+//! The machine and the program that run times belong to.
 
 use std::fs;
 use std::process::Command;
 
 use serde::Serialize;
 
-/// What a run time cannot be read without.
+/// Processor, system and program version of the run times.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Machine {
-    /// Model of the processor, "unknown" where the system does not tell.
+    /// Model of the processor, "unknown" if the system does not say.
     pub cpu: String,
     /// Operating system and architecture.
     pub system: String,
-    /// The compiler that is found here, "unknown" if there is none; the program does not know which one made it.
+    /// The compiler found on this machine, "unknown" if there is none; the program does not know which one built it.
     pub rustc_found: String,
     /// The oldest compiler that is supported.
     pub rust_version: &'static str,
     /// Version of this package.
     pub version: &'static str,
-    /// Commit of the folder that the command was given in, if it is a working copy.
+    /// Commit of the current folder, if it is a working copy.
     pub commit: Option<String>,
-    /// Whether the compiler optimised.
+    /// Build profile.
     pub profile: &'static str,
-    /// Threads that were at work.
+    /// Number of threads.
     pub threads: usize,
 }
 
 impl Machine {
-    /// This one.
+    /// This machine.
     pub fn here() -> Machine {
         let answer = |program: &str, arguments: &[&str]| {
             let output =
@@ -42,12 +42,12 @@ impl Machine {
             rust_version: env!("CARGO_PKG_RUST_VERSION"),
             version: env!("CARGO_PKG_VERSION"),
             commit: answer("git", &["rev-parse", "HEAD"]),
-            profile: if cfg!(debug_assertions) { "debug: its times say nothing" } else { "release" },
+            profile: if cfg!(debug_assertions) { "debug: its times mean nothing" } else { "release" },
             threads: 1,
         }
     }
 
-    /// In one line.
+    /// The machine in one line.
     pub fn line(&self) -> String {
         let commit = self.commit.as_deref().map_or(String::new(), |commit| format!(", commit {:.12}", commit));
         format!(

@@ -1,193 +1,157 @@
-//! `error-time.html`: which method to use for which accuracy, in words.
+//! `error-time.html`: the fastest method for each accuracy.
 
 use std::collections::BTreeMap;
 
-use super::Study;
-use super::economies::Economy;
 use super::group::Group;
 use super::point::{Point, Status};
-use super::text;
+use super::study::ErrorTimeStudy;
+use super::tables;
 use super::timing::RUNS;
+use super::wording::{fastest, leads, ratio, time_of};
 use crate::html::Html;
+use crate::table::{Table, cells};
 
 /// The page with the picture.
-pub fn page(study: &Study, svg: &str) -> String {
+pub fn page(study: &ErrorTimeStudy, svg: &str) -> String {
     let mut html = Html::default();
     html.paragraph(
-        "Every point is one run: a scene with one of two elements, a mesh, a method and a step. Its error is the largest \
-         distance of the probe from a converged reference at the sample times; its time is what the run takes with nothing \
-         recorded but what the error needs.",
+        "Every point is one run: a scene with one of two elements, a mesh, a method and a step. Its error is the largest distance of the probe \
+         from a converged reference at the sample times. Its time is that of a run that records only what the error needs.",
     );
     html.paragraph(&format!(
-        "Times are medians of {RUNS} runs or more after one that does not count, with the shortest and the longest in brackets; \
-         points that the same method betters in four fifths of the time or less (\"outclassed\") were timed once. {}",
+        "Times are medians of {RUNS} or more runs after a first one that does not count; brackets: shortest and longest. A point is outclassed \
+         if its method is as accurate in less than four fifths of the time; such points were timed once. {}",
         study.machine.line()
     ));
     html.svg(svg);
     which_method(&mut html, study);
     explicit_or_implicit(&mut html, study);
-    split(&mut html, study);
+    parts(&mut html, study);
     peers(&mut html, study);
     economies(&mut html, study);
     failures(&mut html, study);
     html.heading("The data");
     html.paragraph(
-        "error-time.csv has a line for each point, error-time.json the same with references, options and provenance.",
+        "error-time.csv has a line for each point; error-time.json has the points with references, options and provenance.",
     );
     html.page("Error against run time")
 }
 
-fn which_method(html: &mut Html, study: &Study) {
+fn which_method(html: &mut Html, study: &ErrorTimeStudy) {
     html.heading("Which method for which accuracy");
     html.paragraph(
-        "The fastest point that is proved to be as accurate. A point at the reference's limit counts where its error and the \
-         reference's uncertainty together are below the bound.",
+        "The fastest point whose error is certain to be below each bound. At the reference's limit, that is the error plus the reference's \
+         uncertainty.",
     );
+    let columns = "error below, m :.0e | fastest | its error, m :.1e | time | forces, tangents, factorisations, solves";
     for group in &study.groups {
         html.subheading(&group.name());
-        let row = |(error, point): &(f64, Option<&Point>)| {
-            let what = point.map_or_else(|| text::nothing(group, *error), Point::what);
-            let time = text::timing(point.and_then(|point| point.time.as_ref()));
-            let found = point.and_then(Point::error).map_or("–".into(), |error| format!("{error:.1e}"));
-            let counts = point.map_or("–".into(), |point| {
+        let cells = |(error, point): (f64, Option<&Point>)| {
+            let counts = point.map(|point| {
                 let counts = &point.counts;
-                format!(
-                    "{}, {}, {}, {}",
-                    counts.force_calls, counts.tangent_calls, counts.factorizations, counts.solves
-                )
+                let [forces, tangents] = [counts.force_calls, counts.tangent_calls];
+                format!("{forces}, {tangents}, {}, {}", counts.factorizations, counts.solves)
             });
-            vec![format!("{error:.0e}"), what, found, time, counts]
+            cells![error, fastest(group, error, point), point.and_then(Point::error), time_of(point), counts]
         };
-        let rows: Vec<Vec<String>> = group.decades().iter().map(row).collect();
-        let head = ["error below, m", "fastest", "its error, m", "time", "forces, tangents, factorisations, solves"];
-        html.table(&head, &rows);
+        html.table(&Table::new(columns, group.decades().into_iter().map(cells)));
     }
 }
 
-fn explicit_or_implicit(html: &mut Html, study: &Study) {
-    let with_explicit: Vec<&Group> =
-        study.groups.iter().filter(|group| group.points.iter().any(|point| point.explicit)).collect();
-    if with_explicit.is_empty() {
-        return;
+fn explicit_or_implicit(html: &mut Html, study: &ErrorTimeStudy) {
+    let with_explicit = |group: &&Group| group.points.iter().any(|point| point.explicit);
+    let mut groups = study.groups.iter().filter(with_explicit).peekable();
+    if groups.peek().is_some() {
+        html.heading("Explicit or implicit");
     }
-    html.heading("Explicit or implicit");
-    for group in with_explicit {
+    for group in groups {
         html.subheading(&group.name());
-        html.list(&text::leads(&group.leads()));
+        html.list(&leads(&group.leads()));
     }
 }
 
-fn split(html: &mut Html, study: &Study) {
-    html.heading("What the error is made of");
+fn parts(html: &mut Html, study: &ErrorTimeStudy) {
+    html.heading("Parts of the error");
     html.paragraph(
-        "Time: distance from the solution that is converged in time on the same mesh. Space: distance of that solution from the \
-         reference. Model: distance of the reference from the continuum, which no mesh and no step can mend.",
+        "Time: distance from the solution on the same mesh that is converged in time. Space: distance of that solution from the reference. \
+         Model: distance of the reference from the continuum, which no mesh and no step reduces.",
     );
-    let row = |group: &Group| {
-        let space = group.space.iter().filter(|(elements, _)| *elements != group.reference.elements);
+    let cells = |group: &Group| {
+        let reference = &group.reference;
+        let space = group.space.iter().filter(|(elements, _)| *elements != reference.elements);
         let space: Vec<String> = space.map(|(elements, error)| format!("{error:.1e} ({elements})")).collect();
         let model = group.model.as_ref().map_or("not known".into(), |model| {
             format!("{:.1e} ± {:.0e} ({})", model.distance, model.uncertainty, model.continuum)
         });
-        let order = group.reference.order.map_or("–".into(), |order| format!("{order:.1}"));
-        let uncertainty = format!("{:.1e} ({})", group.reference.uncertainty, group.reference.elements);
-        vec![group.name(), space.join(", "), order, uncertainty, model]
+        let uncertainty = format!("{:.1e} ({})", reference.uncertainty, reference.elements);
+        cells![group.name(), space.join(", "), reference.order, uncertainty, model]
     };
-    let rows: Vec<Vec<String>> = study.groups.iter().map(row).collect();
-    html.table(
-        &["scene, element", "space, m (elements)", "last order", "reference ±, m (elements)", "model, m"],
-        &rows,
-    );
+    let columns = "scene, element | space, m (elements) | last order :.1 | reference ±, m (elements) | model, m";
+    html.table(&Table::new(columns, study.groups.iter().map(cells)));
     html.subheading("Along the Pareto fronts");
-    let number = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.1e}"));
-    let rows: Vec<Vec<String>> = study
+    let columns = "scene, element | point | time | error, m :.1e | in time, m :.1e | in space, m :.1e | velocity, m/s :.1e | energy, J :.1e";
+    let cells = |group: &Group, point: &Point| {
+        let part = |of: fn(&super::point::Errors) -> Option<f64>| point.errors.as_ref().and_then(of);
+        let (in_time, in_space) = (part(|errors| errors.time), part(|errors| errors.space));
+        let (velocity, energy) = (part(|errors| errors.velocity), part(|errors| errors.energy));
+        let (name, time) = (group.name(), time_of(Some(point)));
+        cells![name, point.what(), time, point.error(), in_time, in_space, velocity, energy]
+    };
+    let rows = study
         .groups
         .iter()
-        .flat_map(|group| group.front().into_iter().map(move |point| (group, point)))
-        .map(|(group, point)| {
-            let errors = point.errors.as_ref();
-            vec![
-                group.name(),
-                point.what(),
-                text::timing(point.time.as_ref()),
-                number(point.error()),
-                number(errors.and_then(|errors| errors.time)),
-                number(errors.and_then(|errors| errors.space)),
-                number(errors.and_then(|errors| errors.velocity)),
-                number(errors.and_then(|errors| errors.energy)),
-            ]
-        })
-        .collect();
-    let head = ["scene, element", "point", "time", "error, m", "time's, m", "space's, m", "velocity, m/s", "energy, J"];
-    html.table(&head, &rows);
+        .flat_map(|group| group.pareto_front().into_iter().map(|point| cells(group, point)).collect::<Vec<_>>());
+    html.table(&Table::new(columns, rows));
     html.paragraph(
-        "An error that is well below one of its two parts is luck: mesh and step are off in opposite ways. Velocities are compared \
-         where they converge, which they do not after a sudden load; a kept energy balance is no \
-         evidence of accuracy. Pins and supports are shared coordinates here, so that there is no constraint residual.",
+        "An error well below one of its two parts is luck: mesh and step err in opposite directions. Velocities are compared where they \
+         converge, which they do not after a sudden load. A conserved energy is no evidence of accuracy. Pins and supports are shared \
+         coordinates here, so that there is no constraint residual.",
     );
-}
-
-fn peers(html: &mut Html, study: &Study) {
-    html.heading("Beside another program");
-    html.paragraph(&study.peers);
-    let mut rows = Vec::new();
-    for group in study.groups.iter().filter(|group| !group.peers.is_empty()) {
-        for (error, ours) in group.decades().into_iter().take(PEER_DECADES) {
-            let peer = group.peer(error);
-            let cell = |point: Option<&Point>| point.map_or("–".into(), Point::what);
-            let time = |point: Option<&Point>| text::timing(point.and_then(|point| point.time.as_ref()));
-            let ratio = group.ratio(error).map_or("–".into(), |ratio| text::ratio(&ratio));
-            rows.push(vec![
-                group.name(),
-                format!("{error:.0e}"),
-                cell(ours),
-                time(ours),
-                cell(peer),
-                time(peer),
-                ratio,
-            ]);
-        }
-    }
-    if !rows.is_empty() {
-        html.paragraph(
-            "Errors of the other program and of our Euler–Bernoulli element are distances from the same converged solution, as their \
-             theory is the same; those of the paper's element are from its own. The ratio is the \
-             other program's median over ours, in brackets its shortest run over our longest and its longest over our shortest.",
-        );
-        html.table(&["scene, element", "error below, m", "ours", "time", "other", "time", "ratio"], &rows);
-    }
-}
-
-/// What leaving things out saves.
-fn economies(html: &mut Html, study: &Study) {
-    html.heading("What is left out, and what that saves");
-    html.paragraph(
-        "Runs with and without what a scene does not need, in turn; medians with the shortest and the longest. `ancf plan SCENE` \
-         says what is left out of a scene, and why.",
-    );
-    let row = |economy: &Economy| {
-        vec![
-            economy.what.into(),
-            economy.scene.clone(),
-            text::timing(Some(&economy.full)),
-            text::timing(Some(&economy.pruned)),
-            format!("{:.2}", economy.ratio()),
-            format!("{:.0e}", economy.difference),
-        ]
-    };
-    let rows: Vec<Vec<String>> = study.economies.iter().map(row).collect();
-    html.table(&["left out", "scene", "with it", "without", "ratio", "changes, m"], &rows);
 }
 
 /// Decades in which the programs are compared.
 const PEER_DECADES: usize = 4;
 
-fn failures(html: &mut Html, study: &Study) {
-    let mut reasons: BTreeMap<(String, String), usize> = BTreeMap::new();
+fn peers(html: &mut Html, study: &ErrorTimeStudy) {
+    html.heading("Comparison with another program");
+    html.paragraph(&study.peers);
+    let compared = study.groups.iter().filter(|group| !group.peers.is_empty());
+    let rows: Vec<_> = compared
+        .flat_map(|group| {
+            group.decades().into_iter().take(PEER_DECADES).map(move |(error, ours)| {
+                let peer = group.peer(error);
+                let ratio = group.ratio(error).map(|found| ratio(&found));
+                let (our_run, their_run) = (ours.map(Point::what), peer.map(Point::what));
+                cells![group.name(), error, our_run, time_of(ours), their_run, time_of(peer), ratio]
+            })
+        })
+        .collect();
+    if !rows.is_empty() {
+        html.paragraph(
+            "Errors of the other program and of our Euler–Bernoulli element are distances from one converged solution, as both have the same \
+             theory; those of the paper's element are distances from its own. Ratio: the other program's median over ours; brackets: its \
+             shortest run over our longest, and its longest over our shortest.",
+        );
+        let columns = "scene, element | error below, m :.0e | ours | time | other | time | ratio";
+        html.table(&Table::new(columns, rows));
+    }
+}
+
+fn economies(html: &mut Html, study: &ErrorTimeStudy) {
+    html.heading("Economies");
+    html.paragraph(
+        "Run times with and without parts that a scene does not need, measured alternately; medians with the shortest and the longest. \
+         `ancf plan SCENE` lists the parts that a scene leaves out, with the reasons.",
+    );
+    html.table(&tables::economies(&study.economies));
+}
+
+fn failures(html: &mut Html, study: &ErrorTimeStudy) {
+    let mut reasons: BTreeMap<(String, &str), usize> = BTreeMap::new();
     for group in &study.groups {
-        for point in group.points.iter().chain(group.own_peers()).filter(|point| point.status == Status::Failed) {
-            // Up to the numbers, which differ from run to run.
-            let reason = point.reason.split(" at t =").next().unwrap_or_default().to_string();
+        for point in group.all_points().filter(|point| point.status == Status::Failed) {
+            // Without the numbers, which differ from run to run.
+            let reason = point.reason.split(" at t =").next().unwrap_or_default();
             *reasons.entry((format!("{}: {}, {}", point.program, group.name(), point.method), reason)).or_default() +=
                 1;
         }
@@ -197,7 +161,6 @@ fn failures(html: &mut Html, study: &Study) {
         html.paragraph("None.");
         return;
     }
-    let rows: Vec<Vec<String>> =
-        reasons.into_iter().map(|((what, reason), count)| vec![what, count.to_string(), reason]).collect();
-    html.table(&["what", "runs", "reason"], &rows);
+    let rows = reasons.into_iter().map(|((what, reason), count)| cells![what, count, reason]);
+    html.table(&Table::new("method | runs :.0 | reason", rows));
 }

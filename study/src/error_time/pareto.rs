@@ -1,15 +1,16 @@
-//! Which points are worth their time.
+//! Pareto fronts, and the fastest points for an error.
 
 use serde::Serialize;
 
 use super::point::{Point, Status};
+use super::timing::Timing;
 
-/// Errors that a person may ask for, m.
+/// Errors for which the fastest point is shown, m.
 pub const DECADES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
-/// The Pareto front: points that no other beats in both error and time, from the fastest to the most accurate. Failures, and
-/// points whose error is the reference's as much as their own, are not on it.
-pub fn front<'a>(points: &[&'a Point]) -> Vec<&'a Point> {
+/// The Pareto front: points that no other beats in both error and time, from the fastest to the most accurate. Failures and points at the
+/// reference's limit are not on it.
+pub fn pareto_front<'a>(points: &[&'a Point]) -> Vec<&'a Point> {
     let known = points.iter().copied().filter(|point| point.status == Status::Ok);
     let mut sorted: Vec<(f64, f64, &Point)> =
         known.filter_map(|point| Some((point.seconds()?, point.error()?, point))).collect();
@@ -23,8 +24,7 @@ pub fn front<'a>(points: &[&'a Point]) -> Vec<&'a Point> {
     sorted.into_iter().map(|(_, _, point)| point).collect()
 }
 
-/// The fastest point that is proved to be at least this accurate, see [`Point::bound`]; those that were timed only once do not
-/// count.
+/// The fastest point whose [bound](Point::bound) is at most this error; points that were timed only once do not count.
 pub fn fastest<'a>(points: &[&'a Point], error: f64) -> Option<&'a Point> {
     let timed_well = points.iter().copied().filter(|point| point.status != Status::Outclassed);
     let enough = timed_well.filter(|point| point.bound().is_some_and(|bound| bound <= error));
@@ -32,10 +32,10 @@ pub fn fastest<'a>(points: &[&'a Point], error: f64) -> Option<&'a Point> {
     timed.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, point)| point)
 }
 
-/// Times closer than this factor are the same as far as a busy machine can tell.
+/// Times within this factor are equal, as far as a busy machine can measure.
 const TIE: f64 = 1.1;
 
-/// A range of errors in which one family of methods is the faster one, m.
+/// A range of errors in which one family of methods is faster, m.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Lead {
     /// The largest error of the range.
@@ -44,12 +44,12 @@ pub struct Lead {
     pub to: f64,
     /// Whether the explicit methods are faster.
     pub explicit: bool,
-    /// Times of the slower family over those of the faster, least and largest; `None` where the slower one never got there.
+    /// Least and largest ratio of the slower family's times to the faster one's; `None` if the slower one was never as accurate.
     pub ratio: Option<[f64; 2]>,
 }
 
-/// Where explicit methods are faster than implicit ones, from large errors to small: at every error that was measured, the
-/// fastest of each family that is as accurate.
+/// The faster family of methods, explicit or implicit, from large errors to small: compares the fastest points of both at every measured
+/// error.
 pub fn leads(points: &[&Point]) -> Vec<Lead> {
     let (explicit, implicit): (Vec<&Point>, Vec<&Point>) = points.iter().partition(|point| point.explicit);
     let mut errors: Vec<f64> = points.iter().filter_map(|point| point.bound()).collect();
@@ -75,12 +75,12 @@ pub fn leads(points: &[&Point]) -> Vec<Lead> {
     leads
 }
 
-/// How many times faster we are than another program at equal error.
+/// Run time of another program over ours at equal error.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ratio {
-    /// The error that both are proved to be below, m.
+    /// The error that bounds both, m.
     pub error: f64,
-    /// Their median over ours.
+    /// Ratio of the medians.
     pub ratio: f64,
     /// Their shortest run over our longest.
     pub least: f64,
@@ -88,8 +88,15 @@ pub struct Ratio {
     pub most: f64,
 }
 
-/// The ratio of the fastest points of two programs that are at least this accurate; `None` if one of them has none.
+impl Ratio {
+    /// One run time over another.
+    pub fn of(error: f64, time: &Timing, other: &Timing) -> Ratio {
+        let ratio = time.median / other.median;
+        Ratio { error, ratio, least: time.min / other.max, most: time.max / other.min }
+    }
+}
+
+/// Ratio of the fastest points of two programs at this error; `None` if one of them has none.
 pub fn ratio(ours: &[&Point], theirs: &[&Point], error: f64) -> Option<Ratio> {
-    let (ours, theirs) = (fastest(ours, error)?.time.as_ref()?, fastest(theirs, error)?.time.as_ref()?);
-    Some(Ratio { error, ratio: theirs.median / ours.median, least: theirs.min / ours.max, most: theirs.max / ours.min })
+    Some(Ratio::of(error, fastest(theirs, error)?.time.as_ref()?, fastest(ours, error)?.time.as_ref()?))
 }

@@ -1,4 +1,4 @@
-//! Another program's runs of our scenes, as `python -m oracle.peers` writes them, and how far they are from our reference.
+//! Another program's runs of our scenes, as `python -m oracle.peers` writes them, and their distances from our reference.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -6,7 +6,8 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::case::{CASES, Case};
+use super::benchmark::Benchmark;
+use super::benchmarks::{BENCHMARKS, scene_names};
 use super::point::{Point, Status};
 use super::reference::Reference;
 use super::samples::Samples;
@@ -17,92 +18,65 @@ use ancf::integrators::counts::Counts;
 /// The command that writes the file.
 pub const COMMAND: &str = "python -m oracle.peers";
 
-/// The columns, in any order; others are not looked at.
-pub const COLUMNS: [&str; 23] = [
-    "scene",
-    "program",
-    "version",
-    "element",
-    "method",
-    "elements",
-    "step",
-    "newton_tolerance",
-    "modified_newton",
-    "linear_solver",
-    "status",
-    "reason",
-    "runs",
-    "time_median_s",
-    "time_min_s",
-    "time_max_s",
-    "steps",
-    "newton_iterations",
-    "jacobians",
-    "probe",
-    "t",
-    "x",
-    "y",
-];
+/// The required columns, in any order; others are ignored.
+pub const COLUMNS: &str = "scene,program,version,element,method,elements,step,newton_tolerance,modified_newton,linear_solver,status,reason,\
+                           runs,time_median_s,time_min_s,time_max_s,steps,newton_iterations,jacobians,probe,t,x,y";
 
 /// A row of the file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Peer {
-    /// Our scene.
+    /// Our benchmark of the scene.
     #[serde(skip)]
-    pub case: &'static Case,
+    pub benchmark: &'static Benchmark,
     /// Everything but the errors.
     pub point: Point,
-    /// What the program was told: tolerance of Newton's iteration, linear solver.
+    /// Options of the program: Newton's tolerance, linear solver.
     pub options: String,
     /// Positions at our sample times; `None` if it failed.
     pub samples: Option<Samples>,
 }
 
-/// One line of the file.
+/// A line of the file, for errors that name it.
 struct Line<'a> {
     file: &'a str,
     number: u64,
     fields: BTreeMap<&'static str, String>,
 }
 
-/// Reads the file.
+/// Reads a file.
 ///
 /// # Errors
-/// [`Error::Read`]; [`Error::Table`] with line, column, value and what is allowed there.
+/// [`Error::Read`]; [`Error::Table`] with line, column, value and what is allowed.
 pub fn read(path: &Path) -> Result<Vec<Peer>> {
     let text = fs::read_to_string(path).map_err(|source| Error::Read { path: path.into(), source })?;
     parse(&path.display().to_string(), &text)
 }
 
-/// Reads the file's text.
+/// Parses the text of a file.
 ///
 /// # Errors
 /// [`Error::Table`].
 pub fn parse(file: &str, text: &str) -> Result<Vec<Peer>> {
+    let refuse = |line, column: &str, value: String, allowed| Error::Table {
+        file: file.into(),
+        line,
+        column: column.into(),
+        value,
+        allowed,
+    };
     let malformed = |error: csv::Error| {
         let line = error.position().map_or(1, csv::Position::line);
         let allowed =
             format!("a line of comma-separated fields, as many as the heading has, in UTF-8; {COMMAND} writes them");
-        Error::Table { file: file.into(), line, column: "line".into(), value: format!("malformed ({error})"), allowed }
+        refuse(line, "line", format!("malformed ({error})"), allowed)
     };
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let heading = reader.headers().map_err(malformed)?.clone();
-    let mut places = Vec::new();
-    for name in COLUMNS {
-        match heading.iter().position(|column| column == name) {
-            Some(place) => places.push((name, place)),
-            None => {
-                let allowed = format!("a heading with {}", COLUMNS.join(","));
-                return Err(Error::Table {
-                    file: file.into(),
-                    line: 1,
-                    column: name.into(),
-                    value: "missing".into(),
-                    allowed,
-                });
-            }
-        }
-    }
+    let place = |name| {
+        let place = heading.iter().position(|column| column == name).map(|place| (name, place));
+        place.ok_or_else(|| refuse(1, name, "missing".into(), format!("a heading with {COLUMNS}")))
+    };
+    let places = COLUMNS.split(',').map(place).collect::<Result<Vec<_>>>()?;
     let mut peers = Vec::new();
     for record in reader.records() {
         let record = record.map_err(malformed)?;
@@ -115,13 +89,13 @@ pub fn parse(file: &str, text: &str) -> Result<Vec<Peer>> {
 
 impl Line<'_> {
     fn peer(&self) -> Result<Peer> {
-        let scenes = CASES.map(|case| case.scene).join(", ");
-        let known = CASES.iter().find(|case| case.scene == self.text("scene"));
-        let case = known.ok_or_else(|| self.refuse("scene", &format!("a scene of the study: {scenes}")))?;
-        // The other program knows the point, which has the probe's name in some scenes only.
-        let point = case.point()?;
-        if ![case.probe, &point].contains(&self.text("probe")) {
-            return Err(self.refuse("probe", &format!("the study's: {}, at the point {point}", case.probe)));
+        let known = BENCHMARKS.iter().find(|benchmark| benchmark.scene == self.text("scene"));
+        let benchmark =
+            known.ok_or_else(|| self.refuse("scene", &format!("a scene of the study: {}", scene_names())))?;
+        // The other program may name the point or the probe.
+        let point = benchmark.point()?;
+        if ![benchmark.probe, &point].contains(&self.text("probe")) {
+            return Err(self.refuse("probe", &format!("the study's: {}, at the point {point}", benchmark.probe)));
         }
         let failed = match self.text("status") {
             "ok" => false,
@@ -133,15 +107,13 @@ impl Line<'_> {
                 return Err(self.refuse(column, "a name"));
             }
         }
-        let options = match self.text("newton_tolerance") {
-            "" => self.text("linear_solver").to_string(),
-            tolerance => format!(
-                "Newton tolerance {tolerance}, modified Newton {}, {}",
-                self.text("modified_newton"),
-                self.text("linear_solver")
-            ),
-        };
-        let (time, samples) = if failed { (None, None) } else { (Some(self.timing()?), Some(self.samples(case)?)) };
+        let [tolerance, modified, solver] =
+            ["newton_tolerance", "modified_newton", "linear_solver"].map(|c| self.text(c));
+        let has_iteration = !tolerance.is_empty();
+        let newton = format!("Newton tolerance {tolerance}, modified Newton {modified}, ");
+        let options = if has_iteration { newton + solver } else { solver.into() };
+        let (time, samples) =
+            if failed { (None, None) } else { (Some(self.timing()?), Some(self.samples(benchmark)?)) };
         let counts = Counts {
             steps: self.count("steps")?.unwrap_or(0),
             newton_iterations: self.count("newton_iterations")?.unwrap_or(0),
@@ -150,27 +122,21 @@ impl Line<'_> {
         };
         let point = Point {
             program: format!("{} {}", self.text("program"), self.text("version")).trim().into(),
-            scene: case.scene.into(),
+            scene: benchmark.scene.into(),
             element: self.text("element").into(),
             method: self.text("method").into(),
-            explicit: self.text("newton_tolerance").is_empty(),
+            explicit: !has_iteration,
             elements: self.positive_count("elements")?,
             step: Some(self.positive("step")?),
-            tolerance: None,
-            newton_tolerance: Some("newton_tolerance")
-                .filter(|c| !self.text(c).is_empty())
-                .map(|c| self.positive(c))
-                .transpose()?,
-            errors: None,
+            newton_tolerance: has_iteration.then(|| self.positive("newton_tolerance")).transpose()?,
             reference_uncertainty: f64::NAN,
             time,
-            failed_after: None,
             counts,
-            rejected: None,
             status: if failed { Status::Failed } else { Status::Ok },
             reason: self.text("reason").into(),
+            ..Point::default()
         };
-        Ok(Peer { case, point, options, samples })
+        Ok(Peer { benchmark, point, options, samples })
     }
 
     fn timing(&self) -> Result<Timing> {
@@ -185,7 +151,7 @@ impl Line<'_> {
     }
 
     /// The positions at our sample times.
-    fn samples(&self, case: &Case) -> Result<Samples> {
+    fn samples(&self, benchmark: &Benchmark) -> Result<Samples> {
         let [t, x, y] = ["t", "x", "y"].map(|column| self.list(column));
         let (t, x, y) = (t?, x?, y?);
         for (column, list) in [("x", &x), ("y", &y)] {
@@ -194,9 +160,9 @@ impl Line<'_> {
             }
         }
         let mut position = Vec::new();
-        for time in case.times() {
+        for time in benchmark.times() {
             let near = t.iter().position(|sample| (sample - time).abs() <= 1e-9 * time);
-            let place = near.ok_or_else(|| self.refuse("t", &format!("the study's times: {:?}", case.times())))?;
+            let place = near.ok_or_else(|| self.refuse("t", &format!("the study's times: {:?}", benchmark.times())))?;
             position.push([x[place], y[place]]);
         }
         Ok(Samples { position, velocity: Vec::new() })
@@ -216,7 +182,7 @@ impl Line<'_> {
         self.count(column)?.filter(|count| *count > 0).ok_or_else(|| self.refuse(column, allowed))
     }
 
-    /// A count, or nothing where the program does not count.
+    /// A count; `None` if the program does not count.
     fn count(&self, column: &str) -> Result<Option<usize>> {
         let count =
             |text: &str| text.parse().map_err(|_| self.refuse(column, "a whole number, not negative, or nothing"));
@@ -246,7 +212,7 @@ impl Line<'_> {
 }
 
 impl Peer {
-    /// Its point with the errors: its theory is that of our Euler–Bernoulli element, and so is the limit of its meshes.
+    /// The row with its errors, from the reference of our Euler–Bernoulli element: its theory is the same, and so is its limit.
     pub fn compared(mut self, reference: &Reference) -> Peer {
         self.point.reference_uncertainty = reference.converged.uncertainty;
         if let Some(samples) = &self.samples {

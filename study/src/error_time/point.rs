@@ -1,37 +1,50 @@
-//! One point of the study: a run with its error and its time, or why there is none.
+//! A point of the study: a run with its error and its time, or the reason of its failure.
 
-use serde::{Deserialize, Serialize};
+use serde::{Serialize, Serializer};
 
 use super::reference::{Mesh, Reference};
 use super::samples::Samples;
+use super::setup::Setup;
 use super::timing::Timing;
-use super::trial::Trial;
 use ancf::integrators::counts::Counts;
 
-/// Name of this program among others.
+/// Name of this program.
 pub const OURS: &str = "ancf";
 
-/// An error below this many uncertainties of the reference says more of the reference than of the run.
+/// An error below this many uncertainties of the reference may be the reference's.
 const LIMIT: f64 = 3.0;
 
-/// What a point is good for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// Status of a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Status {
     /// Error and time are known.
-    #[serde(rename = "ok")]
     Ok,
-    /// The error is within three uncertainties of the reference: the point is better than can be told.
-    #[serde(rename = "at the reference's limit")]
+    /// The error is within three uncertainties of the reference: the true error may be smaller.
     AtLimit,
-    /// The same method is more accurate in a fraction of the time, so that this run was timed only once.
-    #[serde(rename = "outclassed")]
+    /// A run of the method is as accurate in a fraction of the time; this one was timed only once.
     Outclassed,
     /// The run ended with an error.
-    #[serde(rename = "failed")]
+    #[default]
     Failed,
 }
 
+impl Serialize for Status {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.word())
+    }
+}
+
 impl Status {
+    /// The word in files.
+    pub fn word(self) -> &'static str {
+        match self {
+            Status::Ok => "ok",
+            Status::AtLimit => "at the reference's limit",
+            Status::Outclassed => "outclassed",
+            Status::Failed => "failed",
+        }
+    }
+
     /// The status of a run that succeeded.
     pub fn of(error: f64, uncertainty: f64) -> Status {
         if error.is_nan() {
@@ -51,103 +64,96 @@ pub struct Errors {
     pub position: f64,
     /// R.m.s. of the velocity's difference over the sample times, m/s, where velocities converge.
     pub velocity: Option<f64>,
-    /// Statics: distance of the support's force from what the loads are, N.
+    /// Statics: distance of the support's force from the sum of the loads, N.
     pub reaction: Option<f64>,
-    /// Largest energy balance at the sample times, J; a small one says nothing of the accuracy.
+    /// Largest energy balance at the sample times, J; no measure of accuracy.
     pub energy: Option<f64>,
-    /// Distance from the same mesh's time-converged solution, m.
+    /// Distance from the time-converged solution of the mesh, m.
     pub time: Option<f64>,
     /// That solution's distance from the reference, m.
     pub space: Option<f64>,
 }
 
-/// One point.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// A run with its error and its time.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Point {
-    /// The program, [`OURS`] or another's name and version.
+    /// The program: [`OURS`], or another with its version.
     pub program: String,
     /// The scene.
     pub scene: String,
-    /// Its element, as the program calls it.
+    /// The program's name of the element.
     pub element: String,
     /// The method.
     pub method: String,
-    /// Whether its step is limited by the largest frequency.
+    /// Whether the largest frequency limits the step.
     pub explicit: bool,
     /// Elements of each rod.
     pub elements: usize,
-    /// Its step, s; part of the load in statics.
+    /// Step, s; part of the load in statics.
     pub step: Option<f64>,
-    /// Local error of a step, m.
+    /// Tolerance of the local error of a step, m.
     pub tolerance: Option<f64>,
-    /// Where Newton's iteration ends, relative to the largest force term; `None` without one.
+    /// Newton's tolerance, relative to the largest force term; `None` without an iteration.
     pub newton_tolerance: Option<f64>,
-    /// Its errors; `None` if it failed.
+    /// Errors; `None` if it failed.
     pub errors: Option<Errors>,
     /// Uncertainty of the reference, m.
     pub reference_uncertainty: f64,
-    /// Its time; `None` if it failed.
+    /// Run time; `None` if it failed.
     pub time: Option<Timing>,
-    /// Wall time until it failed, s.
+    /// Wall time until the failure, s.
     pub failed_after: Option<f64>,
-    /// The work that was done.
+    /// Work of the run.
     pub counts: Counts,
-    /// Steps that a method made and took back; `None` if it does not count them.
+    /// Rejected steps; `None` if the method does not count them.
     pub rejected: Option<usize>,
-    /// What it is good for.
+    /// The status.
     pub status: Status,
-    /// Why it failed.
+    /// The reason of its failure.
     pub reason: String,
 }
 
 impl Point {
-    /// The point of one of our runs that has not been timed yet.
-    pub fn new(trial: &Trial, reference: &Reference) -> Point {
+    /// A point of ours before its run: failed, without a reason.
+    pub fn new(setup: &Setup, reference: &Reference) -> Point {
         Point {
             program: OURS.into(),
-            scene: trial.case.scene.into(),
-            element: trial.element.to_string(),
-            method: trial.technique.method.to_string(),
-            explicit: trial.technique.explicit,
-            elements: trial.elements,
-            step: trial.setting.step(trial.case.interval),
-            tolerance: trial.setting.tolerance(),
-            newton_tolerance: (!trial.technique.explicit).then_some(trial.technique.newton_tolerance),
-            errors: None,
+            scene: setup.benchmark.scene.into(),
+            element: setup.element.to_string(),
+            method: setup.technique.method.to_string(),
+            explicit: setup.technique.explicit,
+            elements: setup.elements,
+            step: setup.resolution.step(setup.benchmark.interval),
+            tolerance: setup.resolution.tolerance(),
+            newton_tolerance: (!setup.technique.explicit).then_some(setup.technique.newton_tolerance),
             reference_uncertainty: reference.converged.uncertainty,
-            time: None,
-            failed_after: None,
-            counts: Counts::default(),
-            rejected: None,
-            status: Status::Failed,
-            reason: String::new(),
+            ..Point::default()
         }
     }
 
-    /// The position's error, m.
+    /// Error of the position, m.
     pub fn error(&self) -> Option<f64> {
         self.errors.as_ref().map(|errors| errors.position)
     }
 
-    /// The median of its time, s.
+    /// Median run time, s.
     pub fn seconds(&self) -> Option<f64> {
         self.time.as_ref().map(|time| time.median)
     }
 
-    /// What the true error is not above, m. Above the reference's limit the error is known to a third of itself or better,
-    /// and stands for itself. At the limit it may be the reference that is close by chance: the run is off by the error and
-    /// the reference's uncertainty at most, and so it still proves itself better than a bound that is far above both.
+    /// Upper bound of the true error, m. Above the reference's limit, the error is known to a third of itself or better, and is its own
+    /// bound. At the limit the distance may be small by chance, and the reference's uncertainty is added.
     pub fn bound(&self) -> Option<f64> {
         let uncertainty = if self.status == Status::AtLimit { self.reference_uncertainty } else { 0.0 };
         self.error().filter(|_| self.status != Status::Failed).map(|error| error + uncertainty)
     }
 
-    /// Takes the errors of its samples; `mesh` is that of the reference, where it has this one.
+    /// Sets errors and status from samples; `mesh` is the reference's solution on the run's mesh, if there is one.
     pub fn compare(&mut self, samples: &Samples, reference: &Reference, mesh: Option<&Mesh>) {
         let position = samples.distance(reference.solution());
         self.status = Status::of(position, reference.converged.uncertainty);
         if self.status == Status::Failed {
-            self.reason = "positions are missing, or are no numbers".into();
+            self.reason = "positions are missing, or are not numbers".into();
             return;
         }
         self.errors = Some(Errors {
@@ -160,7 +166,7 @@ impl Point {
         });
     }
 
-    /// Its mesh, its step and its tolerances for a person.
+    /// Method, mesh, step and tolerances, for people.
     pub fn what(&self) -> String {
         let elements = if self.elements == 1 { "1 element".into() } else { format!("{} elements", self.elements) };
         let newton = self.newton_tolerance.map_or(String::new(), |tolerance| format!(", Newton to {tolerance:.0e}"));

@@ -1,47 +1,44 @@
-//! What a run gives at the sample times, and how far two runs are apart.
+//! Positions and velocities at the sample times, and their distances.
 
 use serde::{Deserialize, Serialize};
 
-use super::case::Case;
+use super::benchmark::Benchmark;
+use crate::path::{Path, columns, distance, largest_distance};
 use ancf::run::Run;
 
-/// Positions of the probe at the sample times, m, and its velocities, m/s, where they are recorded.
+/// Positions of the probe at the sample times, m, and its velocities, m/s, if recorded.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Samples {
     /// Positions.
-    pub position: Vec<[f64; 2]>,
-    /// Velocities; empty where they do not converge.
+    pub position: Path,
+    /// Velocities; empty if they do not converge.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub velocity: Vec<[f64; 2]>,
+    pub velocity: Path,
 }
 
 impl Samples {
     /// The samples of a run: its last rows.
-    pub fn of(case: &Case, run: &Run) -> Samples {
-        let read = |suffix: &str| run.trajectory.column(&format!("{}.{suffix}", case.probe));
-        let pairs = |x: &str, y: &str| match (read(x), read(y)) {
-            (Some(x), Some(y)) => {
-                let pairs: Vec<[f64; 2]> = x.into_iter().zip(y).map(|(x, y)| [x, y]).collect();
-                pairs[pairs.len().saturating_sub(case.samples)..].to_vec()
-            }
-            _ => Vec::new(),
+    pub fn of(benchmark: &Benchmark, run: &Run) -> Samples {
+        let last = |suffixes| -> Path {
+            let path = columns(run, benchmark.probe, suffixes);
+            path[path.len().saturating_sub(benchmark.samples)..].to_vec()
         };
-        Samples { position: pairs("x", "y"), velocity: pairs("vx", "vy") }
+        Samples { position: last(["x", "y"]), velocity: last(["vx", "vy"]) }
     }
 
-    /// Largest distance of the positions, m; not a number where one has others than the other.
+    /// Largest distance of the positions, m; NaN if their numbers differ.
     pub fn distance(&self, other: &Samples) -> f64 {
-        largest(&self.position, &other.position)
+        largest_distance(&self.position, &other.position)
     }
 
-    /// Root of the mean square of the difference of the velocities, m/s, where both have them.
+    /// Root mean square of the difference of the velocities, m/s; `None` unless both have them.
     pub fn velocity_difference(&self, other: &Samples) -> Option<f64> {
         let there = !self.velocity.is_empty() && self.velocity.len() == other.velocity.len();
-        let squares = self.velocity.iter().zip(&other.velocity).map(|(a, b)| apart(a, b).powi(2));
+        let squares = self.velocity.iter().zip(&other.velocity).map(|(a, b)| distance(*a, *b).powi(2));
         there.then(|| (squares.sum::<f64>() / self.velocity.len() as f64).sqrt())
     }
 
-    /// What `finer`, a run with half the step by a method of this order, and this one say of a step of nothing (Richardson).
+    /// Extrapolation to a step of zero (Richardson) from this run and `finer`, one with half the step, by a method of this order.
     pub fn extrapolated(&self, finer: &Samples, order: i32) -> Samples {
         let weight = 1.0 / (2f64.powi(order) - 1.0);
         let towards = |coarse: &[[f64; 2]], fine: &[[f64; 2]]| {
@@ -53,19 +50,6 @@ impl Samples {
             velocity: towards(&self.velocity, &finer.velocity),
         }
     }
-}
-
-/// Largest distance of two lists of points; not a number where one of them is longer, empty, or has no numbers.
-pub fn largest(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
-    if a.len() != b.len() {
-        return f64::NAN;
-    }
-    // In the total order NaN is the largest, and is not lost.
-    a.iter().zip(b).map(|(a, b)| apart(a, b)).max_by(f64::total_cmp).unwrap_or(f64::NAN)
-}
-
-fn apart(a: &[f64; 2], b: &[f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
 #[cfg(test)]
@@ -82,7 +66,6 @@ mod tests {
         assert_eq!((a.distance(&b), a.velocity_difference(&b)), (6.0, Some(3.0)));
         assert!(a.distance(&Samples::default()).is_nan() && Samples::default().distance(&Samples::default()).is_nan());
         assert_eq!(a.velocity_difference(&Samples::default()), None);
-        assert!(largest(&[[0.0; 2], [f64::NAN, 0.0], [9.0, 0.0]], &[[0.0; 2]; 3]).is_nan());
     }
 
     #[test]

@@ -1,21 +1,20 @@
-//! Run times: the median of several runs after one that does not count.
+//! Run times: the median of several runs, after a first one that does not count.
 
 use std::time::Instant;
 
 use serde::Serialize;
 
-use super::trial::{Record, Trial};
+use super::setup::{Record, Setup};
 use crate::error::Result;
 use ancf::run::{Run, run};
 
-/// Runs that are timed at least.
+/// Least number of timed runs.
 pub const RUNS: usize = 5;
 
-/// Short runs are repeated up to this number of times, or for this long, s: a single tick of the system is a good part of
-/// them.
+/// Short runs are repeated up to this number of times, or for this long, s: a tick of the system clock is a large part of them.
 const MORE_RUNS: (usize, f64) = (25, 0.02);
 
-/// Wall times of equal runs.
+/// Wall times of identical runs.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Timing {
     /// Number of runs.
@@ -29,7 +28,7 @@ pub struct Timing {
 }
 
 impl Timing {
-    /// Of these times, s. `None` if there are none.
+    /// Median and extremes of these times, s; `None` if there are none.
     pub fn of(times: &[f64]) -> Option<Timing> {
         let mut times = times.to_vec();
         times.sort_by(f64::total_cmp);
@@ -41,30 +40,27 @@ impl Timing {
     }
 }
 
-/// One run with what the error needs, and its time, s. The scene is built outside of the time, the structure inside.
+/// One run that records positions only, and its time, s. The time includes building the structure, but not the scene.
 ///
 /// # Errors
 /// Those of the run.
-pub fn timed(trial: &Trial) -> (Result<Run>, f64) {
-    let scene = match trial.scene(Record::Position) {
-        Ok(scene) => scene,
-        Err(error) => return (Err(error), 0.0),
-    };
+pub fn timed(setup: &Setup) -> (Result<Run>, f64) {
+    let scene = setup.scene(Record::Position);
     let clock = Instant::now();
-    let run = run(&scene);
-    (run.map_err(Into::into), clock.elapsed().as_secs_f64())
+    let run = scene.and_then(|scene| Ok(run(&scene)?));
+    (run, clock.elapsed().as_secs_f64())
 }
 
-/// Times of a run that is known to succeed: one that does not count, then [`RUNS`] or more.
+/// Times of a run that is known to succeed, s: [`RUNS`] or more, after a first one that does not count.
 ///
 /// # Errors
 /// Those of the run.
-pub fn repeated(trial: &Trial) -> Result<Vec<f64>> {
-    timed(trial).0?;
+pub fn repeated(setup: &Setup) -> Result<Vec<f64>> {
+    timed(setup).0?;
     let (most, enough) = MORE_RUNS;
     let mut times = Vec::new();
     while times.len() < RUNS || (times.len() < most && times.iter().sum::<f64>() < enough) {
-        let (run, time) = timed(trial);
+        let (run, time) = timed(setup);
         run?;
         times.push(time);
     }

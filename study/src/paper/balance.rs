@@ -1,17 +1,17 @@
-//! The energy balance of a structure's run.
+//! The energy balance of a run of the scissors.
 
 use serde::Serialize;
 
-use super::scissors;
+use super::scissors::ScissorsRun;
 
-/// The energy balance of a structure's run.
+/// Energy balance of a run.
 #[derive(Serialize)]
 pub struct Balance {
     pub model: &'static str,
     /// Largest imbalance, and energy put in at the end, J.
     pub largest: f64,
     pub input: f64,
-    /// Bound of the first over the second.
+    /// Largest ratio of the two.
     pub bound: f64,
 }
 
@@ -19,12 +19,12 @@ pub struct Balance {
 const BALANCE: f64 = 1e-8;
 
 impl Balance {
-    pub fn of(model: &'static str, motion: &scissors::Motion) -> Balance {
-        let [largest, input] = motion.energy_balance();
+    pub fn of(model: &'static str, run: &ScissorsRun) -> Balance {
+        let [largest, input] = run.energy_balance();
         Balance { model, largest, input, bound: BALANCE }
     }
 
-    /// A balance that is not a number does not hold.
+    /// Whether the balance is within its bound; a NaN is not.
     pub fn holds(&self) -> bool {
         self.largest <= self.bound * self.input
     }

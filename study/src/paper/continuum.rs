@@ -1,13 +1,15 @@
-//! `fixtures/continuum.json`: the pendulum as a plane solid, which stands in for the paper's ANSYS curve.
+//! `fixtures/continuum.json`: the pendulum as a plane solid, in place of the paper's ANSYS curve.
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
-use super::pendulum::Tip;
+use super::tip::Tip;
+use super::window::Window;
 use crate::error::{Error, Result};
+use crate::fixture;
 
-const TEXT: &str = ancf_fixtures::CONTINUUM;
+const NAME: &str = "continuum.json";
 
-/// What `python -m oracle continuum` writes.
+/// Runs of the plane solid, by `python -m oracle continuum`.
 #[derive(Deserialize)]
 pub struct Continuum {
     /// Time from one position to the next, s.
@@ -23,33 +25,10 @@ struct Run {
     tip: Vec<[f64; 2]>,
 }
 
-/// Of the tip in each window, m: of mesh and step together.
+/// Of the tip in each window, by mesh and step together, m.
 #[derive(Deserialize)]
 struct Uncertainty {
     total: Vec<f64>,
-}
-
-/// A part of the time, s, without its beginning.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Window {
-    pub from: f64,
-    pub to: f64,
-    /// Its number among the windows.
-    #[serde(skip)]
-    pub number: usize,
-}
-
-impl Window {
-    /// Whether a time belongs to it.
-    pub fn contains(&self, t: f64) -> bool {
-        t > self.from + 1e-9 && t <= self.to + 1e-9
-    }
-}
-
-impl std::fmt::Display for Window {
-    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-        write!(f, "{} … {} s", self.from, self.to)
-    }
 }
 
 /// The solid's tip in one model.
@@ -60,18 +39,18 @@ pub struct Solid {
 }
 
 impl Solid {
-    /// Its uncertainty in a window, m.
+    /// Uncertainty in a window, m.
     pub fn uncertainty(&self, window: Window) -> f64 {
         self.uncertainty.get(window.number).copied().unwrap_or(f64::NAN)
     }
 }
 
-/// Reads the embedded fixture.
-pub fn load() -> Result<Continuum> {
-    serde_json::from_str(TEXT).map_err(|reason| Error::Fixture { name: "continuum.json", reason: reason.to_string() })
-}
-
 impl Continuum {
+    /// The embedded fixture.
+    pub fn load() -> Result<Continuum> {
+        fixture::parse(NAME, ancf_fixtures::CONTINUUM)
+    }
+
     /// The windows in the order of time.
     pub fn windows(&self) -> impl Iterator<Item = Window> {
         self.windows.iter().enumerate().map(|(number, &[from, to])| Window { from, to, number })
@@ -79,8 +58,8 @@ impl Continuum {
 
     /// The solid of a name.
     pub fn solid(&self, id: &str) -> Result<Solid> {
-        let missing = || Error::Fixture { name: "continuum.json", reason: format!("there is no run {id}") };
-        let run = self.runs.iter().find(|run| run.id == id).ok_or_else(missing)?;
+        let run = self.runs.iter().find(|run| run.id == id);
+        let run = run.ok_or_else(|| Error::fixture(NAME, format!("there is no run {id}")))?;
         let t = (0..run.tip.len()).map(|n| n as f64 * self.interval).collect();
         Ok(Solid { tip: Tip { t, r: run.tip.clone() }, uncertainty: run.uncertainty.total.clone() })
     }

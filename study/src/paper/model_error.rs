@@ -1,34 +1,37 @@
-//! How far the models of the pendulum are from the plane solid that is heated alike, what that is made of, and what it may be.
+//! Distances of the pendulum's models from the plane solid with the same heat, their parts, and their bounds.
 
 use serde::Serialize;
 
-use super::continuum::{Continuum, Solid, Window};
-use super::pendulum::{Model, largest_distance};
-use super::reference_pendulum;
+use super::comparison::Comparison;
+use super::continuum::{Continuum, Solid};
+use super::pendulum::Model;
+use super::reference_pendulum::Shear;
+use super::window::Window;
 use crate::error::Result;
+use crate::path::largest_of;
 
-/// A model's distance from the solid that is heated alike, in one window, and what it is made of, m.
+/// A model's distance from the solid in one window, and its parts, m.
 #[derive(Serialize)]
 pub struct ErrorRow {
     pub model: &'static str,
     pub window: Window,
     pub distance: f64,
-    /// What twice the elements change.
+    /// Change by twice the elements.
     pub space: f64,
-    /// What twice the step changes.
+    /// Change by twice the step.
     pub time: f64,
     /// Uncertainty of the solid.
     pub reference: f64,
-    /// What the three leave of the distance, which is the model's own at least; nothing where they can be all of it.
+    /// Distance minus these three, a lower bound of the model's error; 0 if they may be all of the distance.
     pub model_error: f64,
 }
 
-/// The flexible model's distance from the solid at the shift's times in a window, m, without and with the oracle's shift.
+/// The flexible model's distance from the solid in a window, m, without and with the shear correction.
 #[derive(Serialize)]
 pub struct ShearRow {
     pub window: Window,
     pub distance: f64,
-    /// The tip moved by what a shear correction factor of 5/6 would change.
+    /// With the tip shifted by the effect of a shear correction factor of 5/6.
     pub corrected: f64,
 }
 
@@ -43,14 +46,14 @@ pub fn errors(models: &[Model], continuum: &Continuum) -> Result<Vec<ErrorRow>> 
 }
 
 fn error(model: &Model, solid: &Solid, window: Window) -> ErrorRow {
-    let distance = largest_distance(&solid.tip, &model.tip, window);
+    let distance = model.tip.largest_distance_in(&solid.tip, window);
     let (space, time, reference) = (model.space_error(window), model.time_error(window), solid.uncertainty(window));
     let model_error = (distance - space - time - reference).max(0.0);
     ErrorRow { model: model.kind.id, window, distance, space, time, reference, model_error }
 }
 
-/// The model error of the flexible pendulum is the shear correction that the element does not have (M6).
-pub fn shear(models: &[Model], continuum: &Continuum, shear: &reference_pendulum::Shear) -> Result<Vec<ShearRow>> {
+/// Effect of a shear correction, which the element does not have, on the distance of the flexible pendulum (M6).
+pub fn shear(models: &[Model], continuum: &Continuum, shear: &Shear) -> Result<Vec<ShearRow>> {
     let Some(flexible) = models.iter().find(|model| model.kind.id == "flexible") else { return Ok(Vec::new()) };
     let solid = continuum.solid("flexible")?;
     let row = |window: Window| {
@@ -67,25 +70,25 @@ pub fn shear(models: &[Model], continuum: &Continuum, shear: &reference_pendulum
     Ok(continuum.windows().map(row).collect())
 }
 
-/// What a model may be off, and until when, m and s.
+/// Models, ends of their comparison, s, and bounds of their distances, m.
 const BARS: [(&str, f64, f64); 4] = [
     ("flexible", 1.0, 7.5e-5),
     ("flexible", 2.0, 1.5e-4),
     ("2d-relaxed", 2.0, 5e-4),
-    // Later the missing shear correction parts it from the solid by millimetres, whatever the mesh.
+    // Later the missing shear correction makes a distance of millimetres, whatever the mesh.
     ("2d-sudden", 0.5, 5e-4),
 ];
 
-/// What the solid's own uncertainty may be, and until when, m and s.
+/// Models, ends, s, and bounds of the solid's own uncertainty, m.
 const SOLID_BARS: [(&str, f64, f64); 2] = [("flexible", 0.5, 1e-5), ("2d-sudden", 0.5, 1e-4)];
 
-/// The bars: for the distance from the solid, for the solid itself, and for what a shear correction must leave of the distance.
-pub fn bars(models: &[Model], rows: &[ErrorRow], shear: &[ShearRow]) -> Vec<reference_pendulum::Row> {
+/// All bounds: of the distance from the solid, of the solid's uncertainty, and of the distance with a shear correction, half of that without.
+pub fn bars(models: &[Model], rows: &[ErrorRow], shear: &[ShearRow]) -> Vec<Comparison> {
     let bar = |&(model, until, bound): &(&str, f64, f64)| {
         let step = models.iter().find(|known| known.kind.id == model).map_or(f64::NAN, |model| model.kind.mesh.step);
         let its = || rows.iter().filter(|row| row.model == model && row.window.to <= until);
         let largest = |of: fn(&ErrorRow) -> f64| largest_of(its().map(of));
-        reference_pendulum::Row {
+        Comparison {
             run: format!("{model} to {until} s"),
             step,
             largest_distance: largest(|row| row.distance),
@@ -93,21 +96,16 @@ pub fn bars(models: &[Model], rows: &[ErrorRow], shear: &[ShearRow]) -> Vec<refe
             bound,
         }
     };
-    let solid = |&(model, until, bound): &(&str, f64, f64)| reference_pendulum::Row {
+    let solid = |&(model, until, bound): &(&str, f64, f64)| Comparison {
         run: format!("solid, {model}"),
         largest_distance: bar(&(model, until, bound)).oracle_error,
         ..bar(&(model, until, bound))
     };
-    let corrected = reference_pendulum::Row {
+    let corrected = Comparison {
         run: "with shear 5/6".into(),
         largest_distance: largest_of(shear.iter().map(|row| row.corrected)),
         bound: 0.5 * largest_of(shear.iter().map(|row| row.distance)),
         ..bar(&("flexible", 2.0, 0.0))
     };
     BARS.iter().map(bar).chain(SOLID_BARS.iter().map(solid)).chain([corrected]).collect()
-}
-
-/// Not a number where there are none.
-fn largest_of(values: impl Iterator<Item = f64>) -> f64 {
-    values.max_by(f64::total_cmp).unwrap_or(f64::NAN)
 }

@@ -1,16 +1,18 @@
-//! The pendulum's models over two seconds, with the change that a coarser step and mesh make.
+//! The pendulum's models over two seconds, with the changes by another step and mesh.
 
 use plotters::style::RGBColor;
 use serde::Serialize;
 
-use super::continuum::{Continuum, Window};
-use super::reference_pendulum::Rigid;
-use crate::error::{Error, Result};
+use super::continuum::Continuum;
+use super::pendulum_run::PendulumRun;
+use super::tip::Tip;
+use super::window::Window;
+use crate::error::Result;
 use crate::figure::{Curve, Panel, Stroke, svg};
 use crate::palette::{BLACK, BLUE, GREEN, GREY, ORANGE, VERMILLION};
 use crate::parallel::in_parallel;
-use ancf::model::{Element, Method, Scene};
-use ancf::run::{Trajectory, run};
+use ancf::model::Element;
+use ancf::run::Trajectory;
 
 const END: f64 = 2.0;
 /// A twelfth of the axial wave's period of 25 ms.
@@ -18,34 +20,34 @@ const INTERVAL: f64 = 2e-3;
 /// Times of the tables, s.
 pub const TIMES: [f64; 8] = [0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0];
 
-/// One of the models that are drawn and tabled.
+/// A model of the pendulum: heat, start and element.
 #[derive(Clone, Copy)]
-pub struct Kind {
-    /// Its name in files.
+pub struct ModelKind {
+    /// Name in files.
     pub id: &'static str,
-    /// Its name in pictures and tables.
+    /// Name in pictures and tables.
     pub name: &'static str,
     /// The built-in scene.
     pub scene: &'static str,
     pub element: Element,
     pub mesh: Mesh,
-    /// The solid that is heated alike.
+    /// The solid with the same heat.
     pub solid: &'static str,
     colour: RGBColor,
 }
 
-/// Elements and step of a model's explicit run, and the finer mesh, to which its distance is the error in space.
+/// Elements and step of a model's explicit run, and the finer mesh that shows its error in space.
 #[derive(Clone, Copy)]
 pub struct Mesh {
     pub elements: usize,
-    /// Resolves axial and thickness waves.
+    /// Short enough for axial and thickness waves, s.
     pub step: f64,
     pub other_elements: usize,
 }
 
 const SMOOTH: Mesh = Mesh { elements: 16, step: 2e-5, other_elements: 32 };
 
-/// A heat shock needs more.
+/// Mesh for a heat shock.
 const SHOCK: Mesh = Mesh { elements: 32, step: 5e-6, other_elements: 64 };
 
 /// Colours of the models in all pictures.
@@ -56,9 +58,9 @@ const EULER_BERNOULLI: RGBColor = GREEN;
 const RIGID: RGBColor = GREY;
 const SOLID: RGBColor = VERMILLION;
 
-/// All models. "1D" with the Euler–Bernoulli element is the paper's competitor, with its own element the paper's own model
-/// heated along the axis only.
-const KINDS: [Kind; 8] = [
+/// All models. "1D" with the Euler–Bernoulli element is the model that the paper compares with; with the paper's own element, it is that
+/// element heated along its axis only.
+const KINDS: [ModelKind; 8] = [
     kind("flexible", "flexible", "pendulum-flexible", SMOOTH, "flexible", FLEXIBLE),
     cable("flexible-eb", "flexible, Euler–Bernoulli", "pendulum-flexible", SMOOTH, "flexible"),
     kind("1d-sudden", "1D, sudden", "pendulum-1d", SHOCK, "1d-sudden", AXIS),
@@ -76,34 +78,24 @@ const fn kind(
     mesh: Mesh,
     solid: &'static str,
     colour: RGBColor,
-) -> Kind {
-    Kind { id, name, scene, element: Element::Ancf, mesh, solid, colour }
+) -> ModelKind {
+    ModelKind { id, name, scene, element: Element::Ancf, mesh, solid, colour }
 }
 
-/// A model of Euler–Bernoulli elements.
-const fn cable(id: &'static str, name: &'static str, scene: &'static str, mesh: Mesh, solid: &'static str) -> Kind {
-    Kind { element: Element::EulerBernoulli, ..kind(id, name, scene, mesh, solid, EULER_BERNOULLI) }
+/// A model with Euler–Bernoulli elements.
+const fn cable(
+    id: &'static str,
+    name: &'static str,
+    scene: &'static str,
+    mesh: Mesh,
+    solid: &'static str,
+) -> ModelKind {
+    ModelKind { element: Element::EulerBernoulli, ..kind(id, name, scene, mesh, solid, EULER_BERNOULLI) }
 }
 
-/// A built-in scene with its own mesh and step, explicit.
-pub struct Variant {
-    pub scene: &'static str,
-    pub element: Element,
-    pub elements: usize,
-    pub step: f64,
-    pub end: f64,
-    pub interval: f64,
-}
-
-/// Positions of the tip over time, m and s.
-pub struct Tip {
-    pub t: Vec<f64>,
-    pub r: Vec<[f64; 2]>,
-}
-
-/// One model.
+/// A model with its three runs.
 pub struct Model {
-    pub kind: Kind,
+    pub kind: ModelKind,
     pub tip: Tip,
     with_twice_the_step: Tip,
     with_the_other_mesh: Tip,
@@ -111,26 +103,26 @@ pub struct Model {
 
 /// A model's tip at one of the table's times, m and s.
 #[derive(Serialize)]
-pub struct Row {
+pub struct TipRow {
     pub model: &'static str,
     pub elements: usize,
     pub step: f64,
     pub t: f64,
     pub tip: [f64; 2],
-    /// Distance to the same run with twice the step, which is above the error.
+    /// Distance from the run with twice the step, which is above the error.
     pub change_with_twice_the_step: f64,
     pub other_elements: usize,
-    /// Distance to the same run with the other number of elements.
+    /// Distance from the run on the other mesh.
     pub change_with_the_other_mesh: f64,
 }
 
 impl Model {
     /// The table's rows.
-    pub fn rows(&self) -> impl Iterator<Item = Row> {
+    pub fn rows(&self) -> impl Iterator<Item = TipRow> {
         let Mesh { elements, step, other_elements } = self.kind.mesh;
         TIMES.iter().map(move |&t| {
             let tip = self.tip.at(t);
-            Row {
+            TipRow {
                 model: self.kind.id,
                 elements,
                 step,
@@ -143,70 +135,32 @@ impl Model {
         })
     }
 
-    /// Largest distance in a window to the same run with the other number of elements, m.
+    /// Error in space in a window: largest distance from the run on the other mesh, m.
     pub fn space_error(&self, window: Window) -> f64 {
-        largest_distance(&self.tip, &self.with_the_other_mesh, window)
+        self.with_the_other_mesh.largest_distance_in(&self.tip, window)
     }
 
-    /// Largest distance in a window to the same run with twice the step, m: above the error, whatever the order.
+    /// Error in time in a window: largest distance from the run with twice the step, m; above the error, whatever the order.
     pub fn time_error(&self, window: Window) -> f64 {
-        largest_distance(&self.tip, &self.with_twice_the_step, window)
+        self.with_twice_the_step.largest_distance_in(&self.tip, window)
     }
-}
-
-/// Largest distance of two tips in a window, at the times of the first, m.
-pub fn largest_distance(first: &Tip, second: &Tip, window: Window) -> f64 {
-    let within = first.t.iter().zip(&first.r).filter(|(t, _)| window.contains(**t));
-    within.map(|(t, r)| second.distance(*t, *r)).max_by(f64::total_cmp).unwrap_or(f64::NAN)
-}
-
-impl Tip {
-    /// The position at time `t`, not a number where there is no such row.
-    pub fn at(&self, t: f64) -> [f64; 2] {
-        let row = self.t.iter().position(|row| (row - t).abs() < 1e-9);
-        row.map_or([f64::NAN; 2], |row| self.r[row])
-    }
-
-    /// Distance at time `t` from a position, m.
-    pub fn distance(&self, t: f64, [x, y]: [f64; 2]) -> f64 {
-        let [own_x, own_y] = self.at(t);
-        (own_x - x).hypot(own_y - y)
-    }
-}
-
-/// Runs a variant and keeps its tip.
-pub fn tip(variant: &Variant) -> Result<Tip> {
-    let mut scene = Scene::builtin(variant.scene)
-        .ok_or_else(|| Error::Fixture { name: variant.scene, reason: "there is no such scene".into() })?;
-    (scene.rods[0].element, scene.rods[0].elements) = (variant.element, variant.elements);
-    scene.time.method = Method::Explicit;
-    (scene.time.step, scene.time.end) = (variant.step, variant.end);
-    (scene.output.interval, scene.output.energy) = (Some(variant.interval), false);
-    let trajectory = run(&scene)?.trajectory;
-    let column = |name| trajectory.column(name).unwrap_or_default();
-    let r = column("tip.x").into_iter().zip(column("tip.y")).map(|(x, y)| [x, y]).collect();
-    Ok(Tip { t: column("t"), r })
 }
 
 /// Runs all models, each three times.
 pub fn simulate() -> Result<Vec<Model>> {
-    let variants: Vec<Variant> = KINDS.iter().flat_map(variants).collect();
-    let mut tips = in_parallel("models", &variants, tip)?.into_iter();
-    let mut models = Vec::new();
-    for kind in KINDS {
-        if let (Some(tip), Some(with_twice_the_step), Some(with_the_other_mesh)) =
-            (tips.next(), tips.next(), tips.next())
-        {
-            models.push(Model { kind, tip, with_twice_the_step, with_the_other_mesh });
-        }
-    }
-    Ok(models)
+    let runs: Vec<PendulumRun> = KINDS.iter().flat_map(runs).collect();
+    let mut tips = in_parallel("models", &runs, PendulumRun::tip)?.into_iter();
+    let model = |kind| {
+        let (tip, with_twice_the_step, with_the_other_mesh) = (tips.next()?, tips.next()?, tips.next()?);
+        Some(Model { kind, tip, with_twice_the_step, with_the_other_mesh })
+    };
+    Ok(KINDS.into_iter().map_while(model).collect())
 }
 
-/// A model's three runs.
-fn variants(kind: &Kind) -> [Variant; 3] {
-    let &Kind { scene, element, mesh: Mesh { elements, step, other_elements }, .. } = kind;
-    [(elements, step), (elements, 2.0 * step), (other_elements, step)].map(|(elements, step)| Variant {
+/// The three runs of a model.
+fn runs(kind: &ModelKind) -> [PendulumRun; 3] {
+    let &ModelKind { scene, element, mesh: Mesh { elements, step, other_elements }, .. } = kind;
+    [(elements, step), (elements, 2.0 * step), (other_elements, step)].map(|(elements, step)| PendulumRun {
         scene,
         element,
         elements,
@@ -216,7 +170,7 @@ fn variants(kind: &Kind) -> [Variant; 3] {
     })
 }
 
-/// The curves of the pictures as a table.
+/// The curves of the pictures as columns.
 pub fn curves(models: &[Model]) -> Trajectory {
     let names = models.iter().flat_map(|model| ["x", "y"].map(|component| format!("{}.{component}", model.kind.id)));
     let times = models.first().map_or(&[][..], |model| &model.tip.t);
@@ -227,59 +181,51 @@ pub fn curves(models: &[Model]) -> Trajectory {
     }
 }
 
-/// The paper's Figure 3, and its Figure 4 for both starts, with the solid in place of ANSYS.
-pub fn pictures(models: &[Model], rigid: &Rigid, continuum: &Continuum) -> Result<Vec<(&'static str, String)>> {
+/// The paper's Figure 3, and its Figure 4 for both starts, with the solid in place of ANSYS; with their file names.
+pub fn pictures(models: &[Model], rigid: &Tip, continuum: &Continuum) -> Result<Vec<(&'static str, String)>> {
     let [flexible, ..] = models else { return Ok(Vec::new()) };
-    let rigid = Tip { t: rigid.t.clone(), r: rigid.tip.clone() };
     let heated = |start: &str| models.iter().filter(|model| model.kind.id.ends_with(start)).collect::<Vec<_>>();
+    // Each point minus the origin at its time.
+    let panel =
+        |quantity: &str, mut curves: Vec<Curve<'static>>, component: usize, origin: &dyn Fn(f64) -> [f64; 2]| {
+            for point in curves.iter_mut().flat_map(|curve| &mut curve.points) {
+                point.1 -= origin(point.0)[component];
+            }
+            Panel { quantity: format!("{quantity} along {}, m", ["x", "y"][component]), curves }
+        };
+    let own = |model: &Model, component| curve(model.kind.name, model.kind.colour, &model.tip, component);
     let displacement = |component: usize| -> Result<Panel> {
-        let mut curves = vec![curve("rigid (elliptic functions)", RIGID, &rigid, component)];
-        let drawn = [flexible].into_iter().chain(heated("sudden"));
-        curves.extend(drawn.map(|model| curve(model.kind.name, model.kind.colour, &model.tip, component)));
+        let mut curves = vec![curve("rigid (elliptic functions)", RIGID, rigid, component)];
+        curves.extend([flexible].into_iter().chain(heated("sudden")).map(|model| own(model, component)));
         curves.push(solid("plane solid, 2D, sudden", "2d-sudden", continuum, component)?);
-        for point in curves.iter_mut().flat_map(|curve| &mut curve.points) {
-            point.1 -= flexible.tip.r[0][component];
-        }
-        Ok(Panel { quantity: format!("displacement of A along {}, m", COMPONENTS[component]), curves })
+        Ok(panel("displacement of A", curves, component, &|_| flexible.tip.r[0]))
     };
     let difference = |start: &str, component: usize| -> Result<Panel> {
-        let mut curves = Vec::new();
-        for model in heated(start) {
-            curves.push(curve(model.kind.name, model.kind.colour, &model.tip, component));
-        }
+        let mut curves: Vec<Curve> = heated(start).into_iter().map(|model| own(model, component)).collect();
         curves.push(solid("plane solid, 2D, with its uncertainty", &format!("2d-{start}"), continuum, component)?);
-        for point in curves.iter_mut().flat_map(|curve| &mut curve.points) {
-            point.1 -= flexible.tip.at(point.0)[component];
-        }
-        Ok(Panel { quantity: format!("difference along {}, m", COMPONENTS[component]), curves })
+        Ok(panel("difference", curves, component, &|t| flexible.tip.at(t)))
     };
-    let four = |title: &str, start: &str| svg(title, &[difference(start, 0)?, difference(start, 1)?]);
+    let figure3 = [displacement(0)?, displacement(1)?];
+    let figure4 = |title: &str, start: &str| svg(title, &[difference(start, 0)?, difference(start, 1)?]);
     Ok(vec![
+        ("figure3.svg", svg("Figure 3: displacement of the tip A; 1D and 2D heated suddenly by 200 K", &figure3)?),
+        ("figure4.svg", figure4("Figure 4: difference from the flexible model, heated suddenly", "sudden")?),
         (
-            "figure3.svg",
-            svg(
-                "Figure 3: displacement of the tip A; 1D and 2D heated suddenly by 200 K",
-                &[displacement(0)?, displacement(1)?],
-            )?,
+            "figure4-relaxed.svg",
+            figure4("Figure 4 with a relaxed start: difference from the flexible model", "relaxed")?,
         ),
-        ("figure4.svg", four("Figure 4: difference from the flexible model, heated suddenly", "sudden")?),
-        ("figure4-relaxed.svg", four("Figure 4 with a relaxed start: difference from the flexible model", "relaxed")?),
     ])
 }
-
-const COMPONENTS: [&str; 2] = ["x", "y"];
 
 fn curve<'a>(name: &'a str, colour: RGBColor, tip: &Tip, component: usize) -> Curve<'a> {
     Curve::line(name, colour, tip.t.iter().zip(&tip.r).map(|(t, r)| (*t, r[component])).collect())
 }
 
-/// The solid's tip as dots with bars: its positions are too far apart in time for the axial wave to be joined by lines.
+/// The solid's tip as dots with error bars: lines between its positions would hide the axial wave.
 fn solid<'a>(name: &'a str, id: &str, continuum: &Continuum, component: usize) -> Result<Curve<'a>> {
     let solid = continuum.solid(id)?;
-    let uncertainty = |t: f64| {
-        let window = continuum.windows().find(|window| window.contains(t));
-        window.map_or(0.0, |window| solid.uncertainty(window))
-    };
+    let uncertainty =
+        |t: f64| continuum.windows().find(|window| window.contains(t)).map_or(0.0, |window| solid.uncertainty(window));
     let dots = curve(name, SOLID, &solid.tip, component);
     let uncertainty = dots.points.iter().map(|point| uncertainty(point.0)).collect();
     Ok(Curve { stroke: Stroke::Dots, uncertainty, ..dots })

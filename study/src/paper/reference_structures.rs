@@ -1,27 +1,30 @@
-//! `fixtures/structure.json`: pinned rods in motion by the oracle, the rigid mechanism, and ours beside them.
+//! `fixtures/structure.json`: pinned rods in motion and the rigid mechanism, compared with our runs.
 
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
 
-use super::reference_pendulum::{ErrorEstimate, Row};
-use crate::error::{Error, Result};
+use super::comparison::Comparison;
+use super::reference_pendulum::ErrorEstimate;
+use super::tip::Tip;
+use crate::error::Result;
+use crate::fixture;
 use crate::parallel::in_parallel;
-use ancf::model::{Constraints, Method, Probe, Quantity, Scene, Scissors};
+use crate::path::{column, largest_of, positions};
+use crate::scene::{Change, point_probe};
+use ancf::model::{Constraints, Method, Quantity, Scene, Scissors};
 use ancf::run::run;
 
-/// What `python -m oracle` writes: two pairs of rods by SciPy in free coordinates, the rigid mechanism by quadrature.
-const TEXT: &str = ancf_fixtures::STRUCTURE;
-
+/// Pairs of pinned rods by SciPy in free coordinates, and the rigid mechanism by quadrature, by `python -m oracle`.
 #[derive(Deserialize)]
-pub struct Pinned {
-    trajectories: Vec<Motion>,
+pub struct Structures {
+    trajectories: Vec<PinnedRods>,
     rigid: RigidMechanisms,
 }
 
 /// Pinned rods at different temperatures.
 #[derive(Deserialize)]
-struct Motion {
+struct PinnedRods {
     id: String,
     scene: serde_json::Value,
     t: Vec<f64>,
@@ -34,110 +37,105 @@ struct RigidMechanisms {
     runs: Vec<RigidMechanism>,
 }
 
-/// Scissors of rigid rods; `tip` is the outermost upper point.
+/// Scissors of rigid rods; the tip is the outermost upper point.
 #[derive(Deserialize)]
 struct RigidMechanism {
     scissors: usize,
-    t: Vec<f64>,
-    tip: Vec<[f64; 2]>,
+    #[serde(flatten)]
+    tip: Tip,
     error_estimate: AngleError,
 }
 
-/// Of the angle, rad; the rods are of the order of a metre.
+/// Of the angle, rad; the rods are about a metre long.
 #[derive(Deserialize)]
 struct AngleError {
     theta: f64,
 }
 
-/// How much stiffer than Table 2 the scissors are that have to move like rigid ones, and until when.
+/// E of the stiff scissors over Table 2's, and the end of their comparison, s.
 const STIFFER: f64 = 1e4;
 const STIFF_UNTIL: f64 = 2.9;
 
-/// Bounds for the distances from the oracle and from the rigid mechanism, m.
+/// Bounds of the distances from the oracle and from the rigid mechanism, m.
 const BOUND: f64 = 1e-6;
 const BOUND_RIGID: f64 = 1e-3;
 
-/// Reads the embedded fixture.
-pub fn load() -> Result<Pinned> {
-    serde_json::from_str(TEXT).map_err(|reason| Error::Fixture { name: "structure.json", reason: reason.to_string() })
-}
-
-/// Positions at a time of a point that belong together: the oracle's, and the name of our probe.
-struct Job<'a> {
+/// A scene, and the reference's positions of its probes.
+struct Job {
     name: String,
     scene: Scene,
-    /// Probe, and the oracle's positions of it at the times `t`.
-    positions: Vec<(&'a str, &'a [[f64; 2]])>,
-    t: &'a [f64],
+    references: Vec<(String, Tip)>,
     error: f64,
     bound: f64,
 }
 
-/// Runs every case and measures the distance.
-pub fn compare(pinned: &Pinned) -> Result<Vec<Row>> {
-    let mut jobs = Vec::new();
-    for motion in &pinned.trajectories {
-        jobs.push(pinned_rods(motion)?);
+impl Structures {
+    /// The embedded fixture.
+    pub fn load() -> Result<Structures> {
+        fixture::parse("structure.json", ancf_fixtures::STRUCTURE)
     }
-    for mechanism in pinned.rigid.runs.iter().filter(|mechanism| mechanism.scissors == 3) {
-        jobs.push(stiff_scissors(mechanism)?);
+
+    /// Compares all structures with our runs.
+    pub fn compare(&self) -> Result<Vec<Comparison>> {
+        let pinned = self.trajectories.iter().map(PinnedRods::job);
+        let rigid = self.rigid.runs.iter().filter(|mechanism| mechanism.scissors == 3).map(RigidMechanism::job);
+        let jobs = pinned.chain(rigid).collect::<Result<Vec<Job>>>()?;
+        in_parallel("structures", &jobs, Job::compare)
     }
-    in_parallel("structures", &jobs, |job| {
-        let trajectory = run(&job.scene)?.trajectory;
-        let t = trajectory.column("t").unwrap_or_default();
-        let mut largest: f64 = 0.0;
-        for (probe, positions) in &job.positions {
-            let column = |axis: &str| trajectory.column(&format!("{probe}.{axis}")).unwrap_or_default();
-            let (x, y) = (column("x"), column("y"));
-            for (time, position) in job.t.iter().zip(*positions) {
-                let row = t.iter().position(|row| (row - time).abs() < 1e-9);
-                let distance = row.map_or(f64::NAN, |row| (x[row] - position[0]).hypot(y[row] - position[1]));
-                // `f64::max` would drop a NaN.
-                largest = if distance > largest || distance.is_nan() { distance } else { largest };
-            }
-        }
-        let step = job.scene.time.step;
-        Ok(Row { run: job.name.clone(), step, largest_distance: largest, oracle_error: job.error, bound: job.bound })
-    })
 }
 
-/// The oracle's scene by the explicit method, at a step whose error is well below the bound.
-fn pinned_rods(motion: &Motion) -> Result<Job<'_>> {
-    let mut scene = Scene::parse(&motion.scene.to_string(), &motion.id)?;
-    (scene.time.method, scene.constraints, scene.time.step) = (Method::Explicit, Constraints::Condensed, 2.5e-6);
-    scene.output.energy = false;
-    scene.output.interval = motion.t.get(1).copied();
-    let probe = |point: &String| Probe {
-        name: point.clone(),
-        point: Some(point.clone()),
-        rod: None,
-        at: None,
-        of: vec![Quantity::Position],
-    };
-    scene.probes = motion.position.keys().map(probe).collect();
-    Ok(Job {
-        name: motion.id.clone(),
-        scene,
-        positions: motion.position.iter().map(|(name, positions)| (name.as_str(), positions.as_slice())).collect(),
-        t: &motion.t,
-        error: motion.error_estimate.position,
-        bound: BOUND,
-    })
+impl Job {
+    fn compare(&self) -> Result<Comparison> {
+        let own = run(&self.scene)?;
+        let distance = |(probe, reference): &(String, Tip)| {
+            let ours = Tip { t: column(&own, "t"), r: positions(&own, probe) };
+            ours.largest_distance(reference, |_| true)
+        };
+        Ok(Comparison {
+            run: self.name.clone(),
+            step: self.scene.time.step,
+            largest_distance: largest_of(self.references.iter().map(distance)),
+            oracle_error: self.error,
+            bound: self.bound,
+        })
+    }
 }
 
-/// The paper's scissors with stiff rods.
-fn stiff_scissors(mechanism: &RigidMechanism) -> Result<Job<'_>> {
-    let mut scene = Scissors { elements: 4, ..Scissors::new(mechanism.scissors) }.scene()?;
-    scene.material.youngs_modulus *= STIFFER;
-    (scene.time.method, scene.time.step, scene.time.end) = (Method::GeneralizedAlpha, 1e-3, STIFF_UNTIL);
-    (scene.output.interval, scene.output.energy) = (Some(0.1), false);
-    let until = mechanism.t.iter().filter(|&&t| t < STIFF_UNTIL + 1e-9).count();
-    Ok(Job {
-        name: "rigid-3".into(),
-        scene,
-        positions: vec![("a4", &mechanism.tip[..until])],
-        t: &mechanism.t[..until],
-        error: mechanism.error_estimate.theta,
-        bound: BOUND_RIGID,
-    })
+impl PinnedRods {
+    /// The oracle's scene by the explicit method; the error of its step is well below the bound.
+    fn job(&self) -> Result<Job> {
+        let mut scene = Scene::parse(&self.scene.to_string(), &self.id)?;
+        (scene.time.method, scene.constraints, scene.time.step) = (Method::Explicit, Constraints::Condensed, 2.5e-6);
+        (scene.output.energy, scene.output.interval) = (false, self.t.get(1).copied());
+        scene.probes = self.position.keys().map(|point| point_probe(point, &[Quantity::Position])).collect();
+        let tip = |(name, r): (&String, &Vec<[f64; 2]>)| (name.clone(), Tip { t: self.t.clone(), r: r.clone() });
+        Ok(Job {
+            name: self.id.clone(),
+            scene,
+            references: self.position.iter().map(tip).collect(),
+            error: self.error_estimate.position,
+            bound: BOUND,
+        })
+    }
+}
+
+impl RigidMechanism {
+    /// The paper's scissors with stiff rods.
+    fn job(&self) -> Result<Job> {
+        let mut scene = Scissors { elements: 4, ..Scissors::new(self.scissors) }
+            .scene()?
+            .solved(Method::GeneralizedAlpha, 1e-3, STIFF_UNTIL)
+            .rows_every(0.1);
+        scene.material.youngs_modulus *= STIFFER;
+        scene.output.energy = false;
+        let rows = self.tip.t.iter().zip(&self.tip.r).filter(|(t, _)| **t < STIFF_UNTIL + 1e-9);
+        let (t, r) = rows.unzip();
+        Ok(Job {
+            name: "rigid-3".into(),
+            scene,
+            references: vec![("a4".into(), Tip { t, r })],
+            error: self.error_estimate.theta,
+            bound: BOUND_RIGID,
+        })
+    }
 }

@@ -1,57 +1,55 @@
-//! The pictures of Section 4 and the table of a4.
+//! Pictures of Section 4, and the positions of a4.
 
 use plotters::style::RGBColor;
 use serde::Serialize;
 
 use super::claims_section4::WINDOW;
-use super::scissors::{Family, Motion, RODS, STEP, Structure};
+use super::scissors::{Family, RODS, STEP, ScissorsRun, Structure};
 use super::time_series::Signal;
 use crate::error::{Error, Result};
 use crate::figure::{Curve, Panel, Stroke, svg};
 use crate::palette::{BLACK, BLUE, ORANGE};
+use crate::path::distance;
+use crate::scene::builtin;
 use crate::snapshot::{self, Name, Snapshot};
-use ancf::model::Scene;
 use ancf::run::Trajectory;
 
-/// Instants at which the structure is drawn and a4 tabled, s.
+/// Instants of the structure's picture and of a4's table, s.
 pub const TIMES: [f64; 6] = [0.5, 1.0, 1.5, 2.0, 2.5, 3.0];
 
-/// Colours of the models, the same as in the pendulum's pictures.
+/// Colours of the models, as in the pendulum's pictures.
 const FLEXIBLE: RGBColor = BLACK;
 const HEATED: RGBColor = BLUE;
 
 /// a4 at one of the table's times, m and s.
 #[derive(Serialize)]
-pub struct Row {
+pub struct A4Row {
     pub model: &'static str,
     pub t: f64,
     pub a4: [f64; 2],
-    /// Distance to the same run with twice the step.
+    /// Distance from the run with twice the step.
     pub change_with_twice_the_step: f64,
-    /// Distance to the same run with half the elements.
+    /// Distance from the run with half the elements.
     pub change_with_half_the_elements: f64,
 }
 
-/// The table of a4: flexible and heated (2D).
-pub fn rows(structure: &Structure) -> Vec<Row> {
+/// Positions of a4, flexible and heated (2D).
+pub fn rows(structure: &Structure) -> Vec<A4Row> {
     let Structure { fine, coarse, twice_the_step: twice, .. } = structure;
     let models = [
         ("flexible", &fine.flexible, &coarse.flexible, &twice.flexible),
         ("2D", &fine.axis_and_section, &coarse.axis_and_section, &twice.axis_and_section),
     ];
-    let row = |(model, fine, coarse, twice): (&'static str, &Motion, &Motion, &Motion), t: f64| {
+    let row = |(model, fine, coarse, twice): (&'static str, &ScissorsRun, &ScissorsRun, &ScissorsRun), t: f64| {
         let a4 = fine.position("a4", t);
-        let change = |other: &Motion| {
-            let [x, y] = other.position("a4", t);
-            (x - a4[0]).hypot(y - a4[1])
-        };
+        let change = |other: &ScissorsRun| distance(other.position("a4", t), a4);
         let (change_with_twice_the_step, change_with_half_the_elements) = (change(twice), change(coarse));
-        Row { model, t, a4, change_with_twice_the_step, change_with_half_the_elements }
+        A4Row { model, t, a4, change_with_twice_the_step, change_with_half_the_elements }
     };
     models.into_iter().flat_map(|model| TIMES.map(|t| row(model, t))).collect()
 }
 
-/// Figures 6, 7 and 8, what heat changes in Figure 7, and the structure at six instants, with their file names.
+/// Figures 6, 7 and 8, the change of Figure 7 by heat, and the structure at six instants, with their file names.
 pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
     let (flexible, heated, axis) = (&structure.fine.flexible, &structure.fine.axis_and_section, &structure.fine.axis);
     let curve = |name, colour, signal: &Signal| Curve::line(name, colour, signal.points());
@@ -64,7 +62,7 @@ pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
         ],
     });
     let difference = RODS.map(|rod| {
-        let less = |motion: &Motion| motion.deflection(rod).less(&flexible.deflection(rod));
+        let less = |run: &ScissorsRun| run.deflection(rod).less(&flexible.deflection(rod));
         Panel {
             quantity: format!("change of deflection of {rod}, m"),
             curves: vec![curve("1D heat", ORANGE, &less(axis)), curve("2D heat", HEATED, &less(heated))],
@@ -76,7 +74,7 @@ pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
             svg("Figure 6: change of temperature over time (assumed between the corners)", &[temperature()?])?,
         ),
         ("figure7.svg", svg("Figure 7: deflection of the rods' middles", &deflection)?),
-        ("figure7-change.svg", svg("Figure 7: change of the deflection by heat (heated less flexible)", &difference)?),
+        ("figure7-change.svg", svg("Figure 7: change of the deflection by heat (heated minus flexible)", &difference)?),
         ("figure8-x.svg", figure8(structure, 0)?),
         ("figure8-y.svg", figure8(structure, 1)?),
         (
@@ -88,17 +86,16 @@ pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
 
 fn temperature() -> Result<Panel<'static>> {
     let name = "scissors-3-thermal";
-    let missing = || Error::Fixture { name, reason: "there is no such scene, or it has no temperature".into() };
-    let history = Scene::builtin(name).and_then(|scene| scene.temperature).ok_or_else(missing)?.history;
-    let points = history.iter().map(|&[t, change]| (t, change)).collect();
+    let temperature = builtin(name)?.temperature.ok_or_else(|| Error::fixture(name, "it has no temperature"))?;
+    let points = temperature.history.iter().map(|&[t, change]| (t, change)).collect();
     Ok(Panel { quantity: "change of temperature, K".into(), curves: vec![Curve::line("temperature", HEATED, points)] })
 }
 
-/// Displacement, velocity and acceleration of a4 along one axis. The acceleration at an instant, which does not converge
-/// with the mesh, has its mean over 20 ms below it, and what numerical damping leaves of it.
+/// Displacement, velocity and acceleration of a4 along one axis. The acceleration at an instant does not converge with the mesh; below it
+/// are its mean over 20 ms, and the acceleration with numerical damping.
 fn figure8(structure: &Structure, axis: usize) -> Result<String> {
-    let curve = |name, colour, motion: &Motion, quantity: &str, stroke, change: &dyn Fn(Signal) -> Signal| {
-        let [x, y] = motion.of_point("a4", quantity);
+    let curve = |name, colour, run: &ScissorsRun, quantity: &str, stroke, change: &dyn Fn(Signal) -> Signal| {
+        let [x, y] = run.of_point("a4", quantity);
         Curve { stroke, ..Curve::line(name, colour, change([x, y][axis].clone()).points()) }
     };
     let lines = |family: &Family, quantity: &str, change: &dyn Fn(Signal) -> Signal| {
@@ -107,7 +104,7 @@ fn figure8(structure: &Structure, axis: usize) -> Result<String> {
             curve("2D heat", HEATED, &family.axis_and_section, quantity, Stroke::Line, change),
         ]
     };
-    // What vibrates less is on top.
+    // The smaller vibration is on top.
     let vibrations = |family: &Family| {
         vec![
             curve("2D heat", HEATED, &family.axis_and_section, "a", Stroke::Faint, &|signal| signal),
@@ -125,14 +122,14 @@ fn figure8(structure: &Structure, axis: usize) -> Result<String> {
         panel("its mean over 20 ms, m/s²".into(), lines(fine, "a", &|signal| signal.mean(WINDOW))),
         panel("acceleration, with damping, m/s²".into(), vibrations(damped)),
     ];
-    let title = "acceleration at instants does not converge with the mesh, see its mean";
+    let title = "acceleration at an instant does not converge with the mesh, see its mean";
     svg(&format!("Figure 8: a4 along {name}; {title}"), &panels)
 }
 
-/// The rods from end over pivot to end; b1 stays at the origin.
-fn snapshot(motion: &Motion, t: f64) -> Snapshot {
+/// The rods through end, pivot and end; b1 stays at the origin.
+fn snapshot(run: &ScissorsRun, t: f64) -> Snapshot {
     let point = |name: String| {
-        let [x, y] = if name == "b1" { [0.0, 0.0] } else { motion.position(&name, t) };
+        let [x, y] = if name == "b1" { [0.0, 0.0] } else { run.position(&name, t) };
         (x, y)
     };
     let rod = |from: &str, to: &str, k: usize| {
@@ -149,7 +146,7 @@ fn snapshot(motion: &Motion, t: f64) -> Snapshot {
     }
 }
 
-/// The curves of Figures 7 and 8 as a table, every 2 ms.
+/// The curves of Figures 7 and 8 as columns, every 2 ms.
 pub fn curves(structure: &Structure) -> Trajectory {
     let models = [
         ("flexible", &structure.fine.flexible),
@@ -157,16 +154,16 @@ pub fn curves(structure: &Structure) -> Trajectory {
         ("2d", &structure.fine.axis_and_section),
     ];
     let (mut columns, mut signals) = (vec!["t".to_string()], Vec::new());
-    for (model, motion) in models {
+    for (model, run) in models {
         for quantity in ["", "v", "a"] {
-            for (axis, signal) in ["x", "y"].iter().zip(motion.of_point("a4", quantity)) {
+            for (axis, signal) in ["x", "y"].iter().zip(run.of_point("a4", quantity)) {
                 columns.push(format!("{model}.a4.{quantity}{axis}"));
                 signals.push(signal.points());
             }
         }
         for rod in RODS {
             columns.push(format!("{model}.{rod}.w"));
-            signals.push(motion.deflection(rod).points());
+            signals.push(run.deflection(rod).points());
         }
     }
     let every = (2e-3 / STEP).round() as usize;

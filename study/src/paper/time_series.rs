@@ -1,4 +1,4 @@
-//! Measures of a quantity over time that is sampled in equal steps.
+//! Measures of a quantity over time, sampled in equal steps.
 
 /// Samples in a time window, with the time of the first and the step, s.
 #[derive(Clone, Debug)]
@@ -19,25 +19,25 @@ impl Signal {
         self.values.iter().enumerate().map(|(n, value)| (self.start + n as f64 * self.step, *value)).collect()
     }
 
-    /// The difference from another signal of the same times.
+    /// Difference from another signal with the same times.
     pub fn less(&self, other: &Signal) -> Signal {
         let values = self.values.iter().zip(&other.values).map(|(a, b)| a - b).collect();
         Signal { values, ..*self }
     }
 
-    /// The signal with a number added to every value.
+    /// The signal plus a number.
     pub fn shifted(&self, by: f64) -> Signal {
         Signal { values: self.values.iter().map(|value| value + by).collect(), ..*self }
     }
 
-    /// The samples of a window of time.
+    /// The samples in a window of time.
     pub fn within(&self, from: f64, to: f64) -> Signal {
         let place = |t: f64| (((t - self.start) / self.step).round().max(0.0) as usize).min(self.values.len());
         let (first, last) = (place(from), place(to));
         Signal { start: self.start + first as f64 * self.step, values: self.values[first..last].to_vec(), ..*self }
     }
 
-    /// Root of the mean square; 0 without samples.
+    /// Root mean square; 0 without samples.
     pub fn rms(&self) -> f64 {
         let squares = self.values.iter().map(|value| value * value).sum::<f64>();
         (squares / self.values.len().max(1) as f64).sqrt()
@@ -48,8 +48,7 @@ impl Signal {
         self.values.iter().map(|value| value.abs()).max_by(f64::total_cmp).unwrap_or(0.0)
     }
 
-    /// The mean over a window around each sample by the trapezoidal rule; samples whose window would reach over an end
-    /// are left out.
+    /// Mean over a window around each sample by the trapezoidal rule, without samples whose window extends past an end.
     pub fn mean(&self, window: f64) -> Signal {
         let half = ((0.5 * window / self.step).round() as usize).max(1);
         let mean = |samples: &[f64]| {
@@ -60,7 +59,7 @@ impl Signal {
         Signal { start: self.start + half as f64 * self.step, values, ..*self }
     }
 
-    /// What is faster than a window: the signal less its mean over it.
+    /// Vibration faster than a window: the signal minus its mean over the window.
     pub fn vibration(&self, window: f64) -> Signal {
         let mean = self.mean(window);
         let skip = ((mean.start - self.start) / self.step).round() as usize;
@@ -69,12 +68,12 @@ impl Signal {
     }
 }
 
-/// Root of the mean square of a vector's length.
+/// Root mean square of a vector's length.
 pub fn rms(components: [&Signal; 2]) -> f64 {
     components.map(Signal::rms).into_iter().fold(0.0, f64::hypot)
 }
 
-/// Largest length of a vector.
+/// Largest length of a vector over time.
 pub fn largest(components: [&Signal; 2]) -> f64 {
     let lengths = components[0].values.iter().zip(&components[1].values).map(|(x, y)| x.hypot(*y));
     lengths.max_by(f64::total_cmp).unwrap_or(0.0)

@@ -1,21 +1,16 @@
-//! The cases: what is swept, against which reference, and what right means.
+//! A case of the table, its trials and how their findings are judged.
 
 use serde::Serialize;
 
-use super::row::{Row, Verdict};
-use super::{
-    bad_structure, collapsed, estimate_check, explicit_with_a_hinge, far_from_origin, fine_mesh, heat, inclined,
-    loads_that_move_nothing, long_run, poisson, rotation, shock, singular, slender, soft_and_stiff, step_size, stiff,
-    units,
-};
-use crate::error::{Error, Result};
+use super::row::{StabilityRow, Verdict};
+use crate::error::Result;
 use ancf::integrators::counts::Counts;
+use ancf::run::Run;
 
-/// A bound above this part of the size of what is measured shows little; and rounding above it makes a result useless, of which the
-/// run has to warn.
+/// Part of the measured size above which a bound shows little. Rounding above it makes a result useless, and the run has to warn.
 const USELESS: f64 = 1e-2;
 
-/// One case of the table.
+/// A sweep of one parameter, with its reference and the meaning of right.
 #[derive(Debug, Serialize)]
 pub struct Case {
     /// Its name.
@@ -24,96 +19,51 @@ pub struct Case {
     pub parameter: &'static str,
     /// Unit of error and bound.
     pub unit: &'static str,
-    /// What the error is measured from, and where that comes from.
+    /// The reference, and its source.
     pub reference: &'static str,
-    /// What right means, with the derivation of the bound.
+    /// The condition of a right row, with the derivation of the bound.
     pub right: &'static str,
     /// The trials.
     #[serde(skip)]
-    pub trials: fn() -> Result<Vec<Trial>>,
+    pub(crate) trials: fn() -> Vec<Trial>,
 }
 
-/// All cases, in the order of the table.
-pub const CASES: &[Case] = &[
-    stiff::CASE,
-    loads_that_move_nothing::CASE,
-    slender::CASE,
-    soft_and_stiff::CASE,
-    heat::FREE,
-    heat::CLAMPED,
-    shock::CASE,
-    explicit_with_a_hinge::CASE,
-    estimate_check::CASE,
-    poisson::CASE,
-    rotation::SPUN,
-    rotation::CIRCLING,
-    far_from_origin::CASE,
-    units::CASE,
-    step_size::CASE,
-    long_run::CASE,
-    fine_mesh::SMALL,
-    fine_mesh::LARGE,
-    singular::CASE,
-    bad_structure::CASE,
-    collapsed::CASE,
-    inclined::CASE,
-];
-
-impl Case {
-    /// The cases with these names; all if there are none.
-    ///
-    /// # Errors
-    /// [`Error::Scene`] for a name that no case has.
-    pub fn named(names: &[String]) -> Result<Vec<&'static Case>> {
-        let known = || CASES.iter().map(|case| case.name).collect::<Vec<_>>().join("`, `");
-        let find = |name: &String| {
-            CASES.iter().find(|case| case.name == name).ok_or_else(|| Error::Name {
-                file: "ancf stability".into(),
-                key: "CASE".into(),
-                value: name.clone(),
-                allowed: format!("`{}`", known()),
-            })
-        };
-        if names.is_empty() { Ok(CASES.iter().collect()) } else { names.iter().map(find).collect() }
-    }
-}
-
-/// What a trial gives.
+/// Result of a trial.
 #[derive(Clone, Debug, Default)]
 pub struct Finding {
     /// Distance from the reference.
     pub error: f64,
-    /// What it may be.
+    /// Largest error that is right.
     pub bound: f64,
-    /// What the bound is made of.
+    /// Parts of the bound, in numbers.
     pub why: String,
-    /// Size of what is measured, beside which the bound shows what the row is worth.
+    /// Size of the measured quantity.
     pub size: f64,
-    /// The part of the bound that rounding makes. A run knows of it, and has to warn where it makes the result useless; of steps,
-    /// meshes and theories it knows nothing.
+    /// The part of the bound that rounding makes. A run can know of it, and has to warn where it makes the result useless; it knows nothing
+    /// of the errors of steps, meshes and theories.
     pub rounding: f64,
-    /// The work.
+    /// Work of the run.
     pub counts: Counts,
-    /// What the run warns of.
+    /// Warnings of the run.
     pub warnings: Vec<String>,
-    /// The error of another form.
+    /// Error of another form, for comparison.
     pub beside: Option<f64>,
 }
 
-/// What has to happen.
+/// Outcome that a trial has to have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Expected {
     /// A result within the bound.
     Result,
-    /// The same, or a refusal: the sweep goes on until there is one.
+    /// A result within the bound, or a refusal: the sweep continues until there is one.
     ResultOrRefusal,
-    /// A refusal in which these words stand; a bar parts words of which one is enough.
+    /// A refusal with all of these words; bars separate alternatives.
     Refusal(&'static [&'static str]),
-    /// A result within the bound, with a warning in which these words stand.
+    /// A result within the bound, with a warning that has all of these words.
     Warning(&'static [&'static str]),
 }
 
-/// One value of the parameter.
+/// One value of the parameter for one variant.
 pub struct Trial {
     /// Method, element, mesh.
     pub variant: String,
@@ -121,14 +71,19 @@ pub struct Trial {
     pub value: f64,
     /// Whether it belongs to the fast subset.
     pub fast: bool,
-    /// What has to happen.
-    pub expected: Expected,
-    /// The work.
-    pub run: Box<dyn Fn() -> Result<Finding> + Send + Sync>,
+    expected: Expected,
+    run: Box<dyn Fn() -> Result<Finding> + Send + Sync>,
+}
+
+impl Expected {
+    /// A result if it is promised; else a refusal is right too.
+    pub fn result_if(promised: bool) -> Expected {
+        if promised { Expected::Result } else { Expected::ResultOrRefusal }
+    }
 }
 
 impl Trial {
-    /// A trial that needs a result.
+    /// A trial that needs a result, not in the fast subset.
     pub fn new(
         variant: impl Into<String>,
         value: f64,
@@ -137,36 +92,35 @@ impl Trial {
         Trial { variant: variant.into(), value, fast: false, expected: Expected::Result, run: Box::new(run) }
     }
 
-    /// The same in the fast subset, if `is` so.
-    pub fn fast(self, is: bool) -> Trial {
-        Trial { fast: is, ..self }
+    /// In the fast subset, or not.
+    pub fn fast(self, fast: bool) -> Trial {
+        Trial { fast, ..self }
     }
 
-    /// The same with another expectation.
+    /// With another expected outcome.
     pub fn expect(self, expected: Expected) -> Trial {
         Trial { expected, ..self }
     }
 
-    /// Makes it, and judges.
-    pub fn row(&self, case: &Case) -> Row {
+    /// Runs and judges it.
+    pub fn row(&self, case: &Case) -> StabilityRow {
         let outcome = (self.run)();
         let (verdict, note) = self.judge(&outcome);
         let finding = outcome.ok();
-        let has = finding.is_some();
-        let Finding { error, bound, why, size, counts, beside, .. } = finding.unwrap_or_default();
-        Row {
+        let number = |of: fn(&Finding) -> f64| finding.as_ref().map(of);
+        StabilityRow {
             case: case.name,
             variant: self.variant.clone(),
             parameter: case.parameter,
             value: self.value,
-            error: has.then_some(error),
-            bound: has.then_some(bound),
-            size: has.then_some(size),
-            loose: has && bound > USELESS * size,
+            error: number(|finding| finding.error),
+            bound: number(|finding| finding.bound),
+            size: number(|finding| finding.size),
+            loose: finding.as_ref().is_some_and(|finding| finding.bound > USELESS * finding.size),
             unit: case.unit,
-            why,
-            beside,
-            counts,
+            beside: finding.as_ref().and_then(|finding| finding.beside),
+            counts: finding.as_ref().map(|finding| finding.counts).unwrap_or_default(),
+            why: finding.map(|finding| finding.why).unwrap_or_default(),
             verdict,
             note,
         }
@@ -192,21 +146,26 @@ impl Trial {
 }
 
 impl Finding {
+    /// Work and warnings of a run, of a quantity of size 1; the rest is to be filled in.
+    pub fn of(run: Run) -> Finding {
+        Finding { counts: run.counts, warnings: run.warnings, size: 1.0, ..Finding::default() }
+    }
+
     fn judge(&self, expected: Expected) -> (Verdict, String) {
-        let said = self.warnings.join("; ");
+        let warnings = self.warnings.join("; ");
         let useless = self.rounding > USELESS * self.size;
-        // Not the same as error > bound: a NaN is not within any.
+        // Not the negation of error > bound: a NaN is within no bound.
         let within = self.error <= self.bound && self.bound.is_finite();
         let lacking = match expected {
-            Expected::Warning(words) => words.iter().find(|word| !said.contains(**word)),
+            Expected::Warning(words) => words.iter().find(|word| !warnings.contains(**word)),
             _ => None,
         };
         match lacking {
-            _ if !within => (Verdict::Wrong, said),
-            Some(word) => (Verdict::Wrong, format!("no warning with \"{word}\"; {said}")),
-            None if useless && said.is_empty() => (Verdict::Wrong, "useless, and not warned of".into()),
-            None if said.is_empty() => (Verdict::Right, said),
-            None => (Verdict::Warned, said),
+            _ if !within => (Verdict::Wrong, warnings),
+            Some(word) => (Verdict::Wrong, format!("no warning with \"{word}\"; {warnings}")),
+            None if useless && warnings.is_empty() => (Verdict::Wrong, "useless, without a warning".into()),
+            None if warnings.is_empty() => (Verdict::Right, warnings),
+            None => (Verdict::Warned, warnings),
         }
     }
 }
@@ -214,9 +173,12 @@ impl Finding {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Error;
+
+    const CASE: Case = Case { name: "", parameter: "", unit: "", reference: "", right: "", trials: Vec::new };
 
     fn judged(expected: Expected, outcome: impl Fn() -> Result<Finding> + Send + Sync + 'static) -> Verdict {
-        Trial::new("", 1.0, outcome).expect(expected).row(&CASES[0]).verdict
+        Trial::new("", 1.0, outcome).expect(expected).row(&CASE).verdict
     }
 
     fn finding(error: f64, bound: f64, warning: &str) -> Finding {
@@ -237,8 +199,8 @@ mod tests {
         assert_eq!(judged(Result, || Ok(finding(1e-9, 0.1, "hm"))), Verdict::Warned);
         let of_the_step = || Ok(Finding { rounding: 1e-12, ..finding(1e-9, 0.1, "") });
         assert_eq!(judged(Result, of_the_step), Verdict::Right);
-        assert!(Trial::new("", 1.0, of_the_step).row(&CASES[0]).loose);
-        assert!(!Trial::new("", 1.0, || Ok(finding(1e-9, 1e-8, ""))).row(&CASES[0]).loose);
+        assert!(Trial::new("", 1.0, of_the_step).row(&CASE).loose);
+        assert!(!Trial::new("", 1.0, || Ok(finding(1e-9, 1e-8, ""))).row(&CASE).loose);
         assert_eq!(judged(Result, refused), Verdict::Wrong);
         assert_eq!(judged(ResultOrRefusal, refused), Verdict::Refused);
         assert_eq!(judged(ResultOrRefusal, || Ok(finding(2e-8, 1e-8, "hm"))), Verdict::Wrong);

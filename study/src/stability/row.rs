@@ -1,24 +1,22 @@
-//! One row of the table: a value of the swept parameter, its error beside its bound, and the verdict.
-
-use std::io::{self, Write};
+//! One row of the table: a value of the swept parameter, the error, its bound and the verdict.
 
 use serde::Serialize;
 
 use ancf::integrators::counts::Counts;
 
-/// What a row comes to.
+/// Verdict of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Verdict {
     /// Within the bound.
     #[serde(rename = "right")]
     Right,
-    /// Within the bound, and the run says what to doubt.
+    /// Within the bound, with a warning from the run.
     #[serde(rename = "right with warning")]
     Warned,
-    /// There is no result, but an error that says why.
+    /// No result, but an error with the reason.
     #[serde(rename = "refused")]
     Refused,
-    /// A result outside of the bound, one that is useless without saying so, or a refusal without its reason.
+    /// A result outside its bound, a useless one without a warning, or a refusal without its reason.
     #[serde(rename = "WRONG")]
     Wrong,
 }
@@ -35,42 +33,41 @@ impl Verdict {
     }
 }
 
-/// One row.
+/// Result of one trial of a case.
 #[derive(Clone, Debug, Serialize)]
-pub struct Row {
+pub struct StabilityRow {
     /// Name of the case.
     pub case: &'static str,
     /// Method, element, mesh.
     pub variant: String,
-    /// What is swept.
+    /// The swept parameter.
     pub parameter: &'static str,
     /// Its value.
     pub value: f64,
-    /// Distance from the reference; `None` where there is no result.
+    /// Distance from the reference; `None` without a result.
     pub error: Option<f64>,
-    /// What the error may be.
+    /// Largest error that is right.
     pub bound: Option<f64>,
-    /// Size of what is measured.
+    /// Size of the measured quantity.
     pub size: Option<f64>,
-    /// Whether the bound is more than a hundredth of that: such a row shows little.
+    /// Whether the bound is more than a hundredth of the size: such a row shows little.
     pub loose: bool,
     /// Unit of error, bound and size.
     pub unit: &'static str,
-    /// What the bound is made of, in numbers.
+    /// Parts of the bound, in numbers.
     pub why: String,
-    /// The error of another form, shown beside it and not judged.
+    /// Error of another form, shown for comparison and not judged.
     pub beside: Option<f64>,
-    /// The work that was done.
+    /// Work of the run.
     pub counts: Counts,
-    /// What it comes to.
+    /// The verdict.
     pub verdict: Verdict,
     /// The refusal or the warnings.
     pub note: String,
 }
 
-impl Row {
-    /// The parameter's value as it was chosen, so that what is swept towards a limit can be told from the limit; four digits of one
-    /// that was computed.
+impl StabilityRow {
+    /// The parameter's value with its digits, so that a value close to a limit differs from the limit; four digits if that is too long.
     pub fn shown(&self) -> String {
         let (value, size) = (self.value, self.value.abs());
         let plain = (1e-3..1e5).contains(&size) || size == 0.0 || !value.is_finite();
@@ -82,54 +79,13 @@ impl Row {
         }
     }
 
-    /// The row in a line.
+    /// The row in one line.
     pub fn line(&self) -> String {
-        let Row { case, variant, parameter, unit, .. } = self;
+        let StabilityRow { case, variant, parameter, unit, .. } = self;
         let number = |value: Option<f64>| value.map_or("–".into(), |value| format!("{value:.1e}"));
-        let (error, bound) = (number(self.error), number(self.bound));
+        let (value, error, bound) = (self.shown(), number(self.error), number(self.bound));
         let note = if self.note.is_empty() { String::new() } else { format!(": {}", self.note) };
         let verdict = self.verdict.word();
-        let value = self.shown();
         format!("{case}, {variant}, {parameter} = {value}: error {error} {unit}, bound {bound}, {verdict}{note}")
     }
-}
-
-/// Writes `stability.csv`.
-///
-/// # Errors
-/// What `out` reports.
-pub fn write<'a>(out: &mut dyn Write, rows: impl Iterator<Item = &'a Row>) -> io::Result<()> {
-    let mut csv = csv::Writer::from_writer(out);
-    csv.write_record([
-        "case",
-        "variant",
-        "parameter",
-        "value",
-        "error",
-        "bound",
-        "unit",
-        "size",
-        "verdict",
-        "beside",
-        "steps",
-        "newton_iterations",
-        "force_calls",
-        "tangent_calls",
-        "factorizations",
-        "solves",
-        "why",
-        "note",
-    ])?;
-    let number = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:?}"));
-    for row in rows {
-        let Counts { steps, newton_iterations, force_calls, tangent_calls, factorizations, solves, .. } = row.counts;
-        let counts = [steps, newton_iterations, force_calls, tangent_calls, factorizations, solves];
-        let head = [row.case.into(), row.variant.clone(), row.parameter.into(), format!("{:?}", row.value)];
-        let measured = [number(row.error), number(row.bound), row.unit.into(), number(row.size)];
-        let judged = [row.verdict.word().into(), number(row.beside)];
-        let counts = counts.map(|count| count.to_string());
-        let words = [row.why.clone(), row.note.clone()];
-        csv.write_record(head.iter().chain(&measured).chain(&judged).chain(&counts).chain(&words))?;
-    }
-    csv.flush()
 }

@@ -1,27 +1,24 @@
-//! Other units: the same scene with its numbers in other systems. Every tolerance has to be dimensionless.
+//! Systems of units: a scene with its numbers in other units. Every tolerance has to be dimensionless.
 
-use super::case::{Case, Expected, Finding, Trial};
-use super::helpers::{EPS, Path, builtin, positions};
-use crate::error::Result;
-use crate::error_time::samples::largest;
-use ancf::model::{Constraints, Element, Material, Method, Scene, Scissors, Section, Temperature, ThermalModel};
-use ancf::run::run;
+use super::prelude::*;
+use ancf::model::{Material, Section};
 
 pub const CASE: Case = Case {
     name: "units",
     parameter: "m in the unit of length",
     unit: "of the largest position",
-    reference: "the same scene in m, kg, s",
-    right: "positions equal to (16 + 2n) κ ε_mach of the largest in n steps: eight numbers of the scene are rounded as they are converted, half of \
-            ε_mach each, and the tip goes with none of them by more than its fourth power (L⁴); each step rounds place and velocity once in \
-            each run. κ is what the tip does with a relative change of E, if more than 1: measured with 1e-6 (a heat shock pumps bending, in \
-            which small changes grow). Rounding may end an iteration one earlier or later, with 1e-12 of the largest force left, \
-            which moves a mass by ½ 1e-12 F/m T², F/m T² ≤ 6 m (EAαΔT of the heat shock): 3e-12. A tolerance that has a dimension, or \
-            compares a slope with a length, would end it elsewhere. Other units only rescale, so that this goes on until numbers leave the range of f64: w h⁵ of a section.",
+    reference: "the scene in m, kg, s",
+    right: "positions equal to (16 + 2n) κ ε_mach of the largest in n steps: eight numbers of the scene are rounded by half of ε_mach as they are \
+            converted, and the tip depends on none of them by more than its fourth power (L⁴); each step rounds position and velocity once in each \
+            run. κ, at least 1, is the relative change of the tip by a relative change of E, measured with 1e-6 (a heat shock excites bending, in \
+            which small changes grow). Rounding may end an iteration one earlier or later, with 1e-12 of the largest force left, which moves a \
+            mass by ½ 1e-12 F/m T², F/m T² ≤ 6 m (EAαΔT of the heat shock): 3e-12. A tolerance with a dimension, or one that compares a slope with a \
+            length, would end it elsewhere. Other units only rescale, so that the sweep continues until numbers leave the range of f64: w h⁵ of \
+            a section.",
     trials,
 };
 
-/// A system of units: numbers of metres, kilograms and seconds in it.
+/// A system of units: the numbers that 1 m, 1 kg and 1 s have in it.
 #[derive(Clone, Copy)]
 struct Units {
     name: &'static str,
@@ -45,94 +42,84 @@ const SYSTEMS: [Units; 12] = [
     rescaled(1e100),
 ];
 
-/// Nobody's units.
+/// Another unit of length alone.
 const fn rescaled(length: f64) -> Units {
     Units { name: "kg, s", length, mass: 1.0, time: 1.0 }
 }
 
-type Made = fn() -> Result<Scene>;
-const SCENES: [(&str, &str, Made); 10] = [
-    ("pendulum, energy-momentum", "tip", || pendulum("pendulum-flexible", Method::EnergyMomentum, Element::Ancf)),
-    ("pendulum, generalized-alpha", "tip", || pendulum("pendulum-flexible", Method::GeneralizedAlpha, Element::Ancf)),
-    ("pendulum, multipliers", "tip", || {
-        let scene = pendulum("pendulum-flexible", Method::GeneralizedAlpha, Element::Ancf)?;
-        Ok(Scene { constraints: Constraints::Multipliers, ..scene })
-    }),
-    ("pendulum, gauss, euler-bernoulli", "tip", || {
-        pendulum("pendulum-flexible", Method::Gauss, Element::EulerBernoulli)
-    }),
-    ("pendulum, gauss-adaptive", "tip", || pendulum("pendulum-flexible", Method::GaussAdaptive, Element::Ancf)),
-    ("pendulum, nystrom-adaptive", "tip", || pendulum("pendulum-flexible", Method::NystromAdaptive, Element::Ancf)),
-    ("pendulum heated, relaxed, gauss", "tip", || pendulum("pendulum-2d-relaxed", Method::Gauss, Element::Ancf)),
-    ("pendulum heated suddenly, energy-momentum", "tip", || {
-        pendulum("pendulum-2d", Method::EnergyMomentum, Element::Ancf)
-    }),
-    ("scissors heated, multipliers", "a4", || {
-        let scissors = Scissors { elements: 2, model: ThermalModel::TwoD, ..Scissors::new(3) };
-        let mut scene = scissors.scene()?;
-        (scene.time.method, scene.time.step, scene.time.end) = (Method::GeneralizedAlpha, 1e-3, 0.3);
-        scene.constraints = Constraints::Multipliers;
-        Ok(scene)
-    }),
-    ("cantilever, statics", "tip", || builtin("cantilever")),
-];
+/// A scene with the name of its probe.
+type Probed = (&'static str, fn() -> Result<Scene>);
+
+const SCENES: [(&str, Probed); 10] = {
+    use Element::{Ancf, EulerBernoulli};
+    use Method::{EnergyMomentum, Gauss, GaussAdaptive, GeneralizedAlpha, NystromAdaptive};
+    const COLD: &str = "pendulum-flexible";
+    [
+        ("pendulum, energy-momentum", ("tip", || pendulum(COLD, EnergyMomentum, Ancf))),
+        ("pendulum, generalized-alpha", ("tip", || pendulum(COLD, GeneralizedAlpha, Ancf))),
+        ("pendulum, multipliers", ("tip", || Ok(pinned(pendulum(COLD, GeneralizedAlpha, Ancf)?)))),
+        ("pendulum, gauss, euler-bernoulli", ("tip", || pendulum(COLD, Gauss, EulerBernoulli))),
+        ("pendulum, gauss-adaptive", ("tip", || pendulum(COLD, GaussAdaptive, Ancf))),
+        ("pendulum, nystrom-adaptive", ("tip", || pendulum(COLD, NystromAdaptive, Ancf))),
+        ("pendulum heated, relaxed, gauss", ("tip", || pendulum("pendulum-2d-relaxed", Gauss, Ancf))),
+        ("pendulum heated suddenly, energy-momentum", ("tip", || pendulum("pendulum-2d", EnergyMomentum, Ancf))),
+        (
+            "scissors heated, multipliers",
+            ("a4", || {
+                let scissors = Scissors { elements: 2, model: ThermalModel::TwoD, ..Scissors::new(3) };
+                Ok(pinned(scissors.scene()?.solved(GeneralizedAlpha, 1e-3, 0.3)))
+            }),
+        ),
+        ("cantilever, statics", ("tip", || builtin("cantilever"))),
+    ]
+};
 
 fn pendulum(name: &'static str, method: Method, element: Element) -> Result<Scene> {
-    let mut scene = builtin(name)?;
-    (scene.rods[0].element, scene.rods[0].elements) = (element, 4);
-    (scene.time.method, scene.time.step, scene.time.end) = (method, 1e-3, 0.2);
-    Ok(scene)
+    Ok(builtin(name)?.meshed(element, 4).solved(method, 1e-3, 0.2))
 }
 
-fn trials() -> Result<Vec<Trial>> {
-    let trials = SCENES.into_iter().flat_map(|(name, probe, made)| {
-        SYSTEMS.map(|units| {
-            let fast = units.length == 1e-3 || units.length == 1e-50 || units.time == 1e15;
-            // Statics may fail from 1e19 on: see the README.
-            let expected = match units.length {
-                1e-3..=1e10 => Expected::Result,
-                1e-25..=1e50 => Expected::ResultOrRefusal,
-                _ => Expected::Refusal(&["section.height", "fifth power"]),
-            };
-            let trial =
-                Trial::new(format!("{name}; {}", units.name), units.length, move || measure(probe, made, units));
-            trial.fast(fast).expect(expected)
-        })
-    });
-    Ok(trials.collect())
+fn pinned(scene: Scene) -> Scene {
+    Scene { constraints: Constraints::Multipliers, ..scene }
 }
 
-/// Newton's, of the largest force.
+fn trials() -> Vec<Trial> {
+    let trial = |((name, scene), units): ((&str, Probed), Units)| {
+        let fast = units.length == 1e-3 || units.length == 1e-50 || units.time == 1e15;
+        // Statics may fail from 1e19 on.
+        let expected = match units.length {
+            1e-3..=1e10 => Expected::Result,
+            1e-25..=1e50 => Expected::ResultOrRefusal,
+            _ => Expected::Refusal(&["section.height", "fifth power"]),
+        };
+        let trial = Trial::new(format!("{name}; {}", units.name), units.length, move || measure(scene, units));
+        trial.fast(fast).expect(expected)
+    };
+    iproduct!(SCENES, SYSTEMS).map(trial).collect()
+}
+
+/// Newton's, relative to the largest force.
 const TOLERANCE: f64 = 1e-12;
 
-/// Of E, to see what becomes of small changes.
+/// Relative change of E that shows how small changes grow.
 const CHANGE: f64 = 1e-6;
 
-fn measure(probe: &'static str, made: Made, units: Units) -> Result<Finding> {
-    let mut scene = made()?;
-    scene.time.newton_tolerance = TOLERANCE;
-    let (ours, run) = (run(&scene)?, run(&converted(&scene, units))?);
-    let ours = positions(&ours, probe);
-    let path: Path = positions(&run, probe).iter().map(|point| point.map(|x| x / units.length)).collect();
-    let size = largest(&ours, &vec![[0.0; 2]; ours.len()]);
+fn measure((probe, made): Probed, units: Units) -> Result<Finding> {
+    let scene = made()?.newton(TOLERANCE);
+    let (in_si, own) = (run(&scene)?, run(&converted(&scene, units))?);
+    let expected = positions(&in_si, probe);
+    let path: Path = positions(&own, probe).into_iter().map(|point| point.map(|x| x / units.length)).collect();
+    let size = largest_distance(&expected, &vec![[0.0; 2]; expected.len()]);
     let mut stiffer = scene.clone();
     stiffer.material.youngs_modulus *= 1.0 + CHANGE;
-    let kappa = (largest(&ours, &positions(&self::run(&stiffer)?, probe)) / size / CHANGE).max(1.0);
-    let bound = (16.0 + 2.0 * run.counts.steps as f64) * kappa * EPS + 3.0 * TOLERANCE;
-    Ok(Finding {
-        error: largest(&ours, &path) / size,
-        bound,
-        why: format!("{} steps, κ = {kappa:.1}", run.counts.steps),
-        size: 1.0,
-        rounding: bound,
-        counts: run.counts,
-        // Heat that comes suddenly is warned of in all units.
-        warnings: Vec::new(),
-        beside: None,
-    })
+    let kappa = (largest_distance(&expected, &positions(&run(&stiffer)?, probe)) / size / CHANGE).max(1.0);
+    let bound = (16.0 + 2.0 * own.counts.steps as f64) * kappa * f64::EPSILON + 3.0 * TOLERANCE;
+    let (error, why) =
+        (largest_distance(&expected, &path) / size, format!("{} steps, κ = {kappa:.1}", own.counts.steps));
+    // Warnings are those of the scene in SI units as well.
+    Ok(Finding { error, bound, why, rounding: bound, warnings: Vec::new(), ..Finding::of(own) })
 }
 
-/// A scene with its numbers in other units; temperatures stay.
+/// The scene with its numbers in other units; temperatures stay.
 fn converted(scene: &Scene, units: Units) -> Scene {
     let Units { length, mass, time, .. } = units;
     let mut scene = scene.clone();

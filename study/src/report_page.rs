@@ -1,11 +1,11 @@
-//! `report.html`: what the main job prints, with its pictures.
+//! `report.html`: the main job's printed text and its pictures.
 
 use crate::html::Html;
 
 /// The page of the printed text and of the pictures, each with its file name.
 pub fn page(text: &str, pictures: &[(&'static str, String)]) -> String {
     let mut html = Html::default();
-    html.paragraph("What the main job printed, then its pictures. main.json has the same numbers with all digits, the .csv files the curves.");
+    html.paragraph("The printed output of the main job, followed by its pictures. main.json has the numbers with all digits, the .csv files have the curves.");
     html.preformatted(text);
     html.heading("Pictures");
     for (name, svg) in pictures {

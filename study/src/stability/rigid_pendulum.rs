@@ -1,7 +1,9 @@
 //! The rigid pendulum in closed form: Jacobi's elliptic functions by the arithmetic–geometric mean.
 
+use ancf::model::{Element, Scene};
+
 /// sn, cn and dn of `u` with the parameter m = k², 0 ≤ m < 1 (Abramowitz and Stegun 16.4: descending Landen steps).
-pub fn jacobi(u: f64, m: f64) -> [f64; 3] {
+fn jacobi(u: f64, m: f64) -> [f64; 3] {
     let (mut a, mut c) = (vec![1.0], vec![m.sqrt()]);
     let mut b = (1.0 - m).sqrt();
     while c[c.len() - 1].abs() > f64::EPSILON * a[a.len() - 1] && a.len() < 16 {
@@ -19,22 +21,28 @@ pub fn jacobi(u: f64, m: f64) -> [f64; 3] {
     [sin, cos, (1.0 - m * sin * sin).sqrt()]
 }
 
-/// A rigid pendulum of length `l` (m) that turns about its end: I φ'' = −½ m g L sin φ, φ from the downward vertical.
+/// A rigid pendulum of length `l` (m) about its end: I φ'' = −½ m g L sin φ, φ from the downward vertical.
 #[derive(Clone, Copy, Debug)]
-pub struct Pendulum {
+pub struct RigidPendulum {
     /// Length, m.
-    pub l: f64,
+    l: f64,
     /// ω₀² = m g L/(2 I), (rad/s)².
     pub square: f64,
 }
 
-impl Pendulum {
-    /// Of a uniform section of height `h` (m): I = mL²/3 + mh²/12; without rotary inertia `h` = 0.
-    pub fn new(l: f64, h: f64, g: f64) -> Pendulum {
-        Pendulum { l, square: 0.5 * g * l / (l * l / 3.0 + h * h / 12.0) }
+impl RigidPendulum {
+    /// Of a uniform section of height `h` (m): I = mL²/3 + mh²/12.
+    fn new(l: f64, h: f64, g: f64) -> RigidPendulum {
+        RigidPendulum { l, square: 0.5 * g * l / (l * l / 3.0 + h * h / 12.0) }
     }
 
-    /// Its tip at time `t` when it is let go horizontally, at (l, 0): sin(φ/2) = k cd(ω₀t | k²) with k = sin(π/4).
+    /// The rigid limit of the built-in pendulum of 1 m. Euler–Bernoulli elements have no rotary inertia: h = 0.
+    pub fn limit_of(scene: &Scene) -> RigidPendulum {
+        let h = if scene.rods[0].element == Element::Ancf { scene.section.height } else { 0.0 };
+        RigidPendulum::new(1.0, h, -scene.gravity[1])
+    }
+
+    /// Tip at time `t` after release from rest at (l, 0): sin(φ/2) = k cd(ω₀t | k²) with k = sin(π/4).
     pub fn released(&self, t: f64) -> [f64; 2] {
         let m = 0.5;
         let [_, cn, dn] = jacobi(self.square.sqrt() * t, m);
@@ -43,7 +51,7 @@ impl Pendulum {
         [self.l * sin, -self.l * cos]
     }
 
-    /// Its tip when it passes the lowest point at `omega` (rad/s, over 2ω₀: it goes over the top) at t = 0:
+    /// Tip at time `t` if it passes the lowest point at t = 0 with `omega` (rad/s), more than 2ω₀, and goes over the top:
     /// φ/2 = am(ωt/2 | m) with m = (2ω₀/ω)².
     pub fn circling(&self, omega: f64, t: f64) -> [f64; 2] {
         let [sn, cn, _] = jacobi(0.5 * omega * t, 4.0 * self.square / (omega * omega));
@@ -74,10 +82,10 @@ mod tests {
     /// Against the oracle's pendulum, rounded from 30 digits.
     #[test]
     fn the_released_pendulum_is_the_oracles() {
-        let oracle = crate::paper::reference_pendulum::load().unwrap();
-        let pendulum = Pendulum::new(1.0, 0.02, 9.8);
+        let oracle = crate::paper::reference_pendulum::Oracle::load().unwrap();
+        let pendulum = RigidPendulum::new(1.0, 0.02, 9.8);
         assert!(oracle.rigid.t.len() > 100);
-        for (&t, tip) in oracle.rigid.t.iter().zip(&oracle.rigid.tip) {
+        for (&t, tip) in oracle.rigid.t.iter().zip(&oracle.rigid.r) {
             let own = pendulum.released(t);
             let off = (own[0] - tip[0]).hypot(own[1] - tip[1]);
             assert!(off < 2e-14, "{off:e} at {t}");
@@ -87,7 +95,7 @@ mod tests {
     /// φ'' = −ω₀² sin φ by differences of the tip's path, and the speed at the lowest point.
     #[test]
     fn the_circling_pendulum_satisfies_its_equation() {
-        let (pendulum, omega, h) = (Pendulum::new(1.0, 0.02, 9.8), 9.0, 1e-3);
+        let (pendulum, omega, h) = (RigidPendulum::new(1.0, 0.02, 9.8), 9.0, 1e-3);
         let phi = |t: f64| {
             let [x, y] = pendulum.circling(omega, t);
             x.atan2(-y)
