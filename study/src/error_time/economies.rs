@@ -7,9 +7,10 @@ use serde::Serialize;
 use super::timing::{RUNS, Timing};
 use crate::error::{Error, Result};
 use crate::scene::{Change, builtin};
-use ancf::model::plan::Plan;
+use ancf::internals::model::Plan;
+use ancf::internals::run::run_planned;
 use ancf::model::{Constraints, Element, Method, Quantity, Scene};
-use ancf::run::{Run, run_planned};
+use ancf::run::Run;
 
 /// An economy of the plan: its saving of run time, and the change of the results.
 #[derive(Clone, Debug, Serialize)]

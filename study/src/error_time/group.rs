@@ -11,6 +11,7 @@ use crate::error::{Error, Result};
 use crate::fixture::Certified;
 use crate::paper::continuum::Continuum;
 use crate::path::largest_distance;
+use ancf::internals::model::Words;
 use ancf::model::Element;
 
 /// A scene with an element.

@@ -13,7 +13,7 @@ use super::reference::Reference;
 use super::samples::Samples;
 use super::timing::Timing;
 use crate::error::{Error, Result};
-use ancf::integrators::counts::Counts;
+use ancf::integrators::Counts;
 
 /// The command that writes the file.
 pub const COMMAND: &str = "python -m oracle.peers";

@@ -13,6 +13,7 @@ use crate::axis::decades;
 use crate::canvas::{self, Area, Drawn, Size};
 use crate::error::Result;
 use crate::palette::{BLACK, GREY, of_method};
+use ancf::internals::model::Words;
 use ancf::model::Method;
 
 const PEER: RGBColor = BLACK;

@@ -6,7 +6,7 @@ use super::reference::{Mesh, Reference};
 use super::samples::Samples;
 use super::setup::Setup;
 use super::timing::Timing;
-use ancf::integrators::counts::Counts;
+use ancf::integrators::Counts;
 
 /// Name of this program.
 pub const OURS: &str = "ancf";

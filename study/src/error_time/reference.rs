@@ -6,6 +6,7 @@ use super::benchmark::Benchmark;
 use super::samples::Samples;
 use crate::error::{Error, Result};
 use crate::fixture;
+use ancf::internals::model::Words;
 use ancf::model::Element;
 use ancf_fixtures::CONVERGED;
 

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use ancf::error::Error;
-use ancf::integrators::counts::Counts;
+use ancf::integrators::Counts;
+use ancf::internals::model::Words;
 use ancf::model::{Element, Method};
 
 use super::benchmark::Benchmark;

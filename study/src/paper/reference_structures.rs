@@ -12,7 +12,8 @@ use crate::fixture;
 use crate::parallel::in_parallel;
 use crate::path::{column, largest_of, positions};
 use crate::scene::{Change, point_probe};
-use ancf::model::{Constraints, Method, Quantity, Scene, Scissors};
+use ancf::internals::model::Scissors;
+use ancf::model::{Constraints, Method, Model, Quantity, Scene};
 use ancf::run::run;
 
 /// Pairs of pinned rods by SciPy in free coordinates, and the rigid mechanism by quadrature, by `python -m oracle`.
@@ -104,7 +105,7 @@ impl Job {
 impl PinnedRods {
     /// The oracle's scene by the explicit method; the error of its step is well below the bound.
     fn job(&self) -> Result<Job> {
-        let mut scene = Scene::parse(&self.scene.to_string(), &self.id)?;
+        let mut scene = Model::parse(&self.scene.to_string(), &self.id)?.into_scene();
         (scene.time.method, scene.constraints, scene.time.step) = (Method::Explicit, Constraints::Condensed, 2.5e-6);
         (scene.output.energy, scene.output.interval) = (false, self.t.get(1).copied());
         scene.probes = self.position.keys().map(|point| point_probe(point, &[Quantity::Position])).collect();

@@ -4,7 +4,8 @@ use super::time_series::Signal;
 use crate::error::Result;
 use crate::parallel::in_parallel;
 use crate::scene::point_probe;
-use ancf::model::{Method, Quantity, Scene, Scissors, ThermalModel};
+use ancf::internals::model::Scissors;
+use ancf::model::{Method, Quantity, Scene, ThermalModel};
 use ancf::run::{Trajectory, run};
 
 /// Mesh and step of the main runs; others have half the elements or twice the step.

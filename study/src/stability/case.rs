@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::row::{StabilityRow, Verdict};
 use crate::error::Result;
-use ancf::integrators::counts::Counts;
+use ancf::integrators::Counts;
 use ancf::run::Run;
 
 /// Part of the measured size above which a bound shows little. Rounding above it makes a result useless, and the run has to warn.

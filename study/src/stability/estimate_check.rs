@@ -7,7 +7,7 @@ use crate::error_time::reference::Reference;
 use crate::error_time::samples::Samples;
 use crate::error_time::setup::{Record, Resolution, Setup};
 use crate::error_time::technique::{Refinement, Technique};
-use ancf::run::estimate::run_estimated;
+use ancf::run::run_estimated;
 
 pub const CASE: Case = Case {
     name: "estimate",

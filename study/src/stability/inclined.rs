@@ -14,7 +14,7 @@ use nalgebra::{DVector, Matrix3, Vector2, Vector3};
 
 use super::prelude::*;
 use super::single_element::{SingleElement, free_directions, solve};
-use ancf::equations::material;
+use ancf::equations::material::{self, YoungPoisson};
 use ancf::equations::shape::Vector14;
 
 pub const CASE: Case = Case {
@@ -79,7 +79,7 @@ fn measure(degrees: f64, printed: bool, across: bool) -> Result<Finding> {
 fn compliance(theta: f64, printed: bool, across: bool) -> Result<f64> {
     let (sin, cos) = theta.sin_cos();
     let (t, n) = (Vector2::new(cos, sin), Vector2::new(-sin, cos));
-    let beam = SingleElement::new(1.0 / SLENDERNESS, theta, E, 0.0);
+    let beam = SingleElement::new(1.0 / SLENDERNESS, theta, MODULI);
     let mut load = Vector14::zeros();
     load.fixed_rows_mut::<2>(10).copy_from(if across { &n } else { &t });
     let singular = || ancf::error::Error::Singular { time: 0.0, iteration: 1, place: "the inclined element".into() };

@@ -10,6 +10,7 @@ use crate::axis::{decades, power_label, ticks};
 use crate::canvas::{self, Area, Drawn, Size};
 use crate::error::Result;
 use crate::palette::{GREEN, GREY, of_method};
+use ancf::internals::model::Words;
 use ancf::model::Method;
 
 /// Methods that a variant's name may contain. An adaptive method's word contains that of the other, and comes first.

@@ -7,10 +7,10 @@ use nalgebra::{DVector, Vector2};
 use super::prelude::*;
 use super::richardson::{Series, order};
 use super::steps::each_step;
-use ancf::elements::{Ancf, Beam, Cable, Meaning, NodalVector};
+use ancf::integrators::Counts;
 use ancf::integrators::State;
-use ancf::integrators::counts::Counts;
-use ancf::structure::Structure;
+use ancf::internals::elements::{Ancf, Beam, Cable, Meaning, NodalVector};
+use ancf::internals::structure::Structure;
 
 pub const CASE: Case = Case {
     name: "rotation-free",
@@ -66,7 +66,7 @@ fn free_rod(method: Method, element: Element, step: f64, turns: usize) -> Result
     let mut scene = pendulum(element, 1)?.solved(method, step, TURN * turns as f64).newton(1e-15).rows_every(TURN);
     (scene.supports, scene.gravity) = (Vec::new(), [0.0; 2]);
     scene.motion = Some(Motion { velocity: [0.0; 2], omega: 2.0 * PI / TURN, about: [0.5, 0.0] });
-    scene.validate("rotation")?;
+    scene.clone().build()?;
     Ok(scene)
 }
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use ancf::integrators::counts::Counts;
+use ancf::integrators::Counts;
 
 /// Verdict of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

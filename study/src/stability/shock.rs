@@ -12,7 +12,7 @@ use super::richardson::Series;
 use crate::error_time::benchmarks::named;
 use crate::error_time::reference::Reference;
 use crate::paper::tip::Tip;
-use ancf::run::estimate::run_estimated;
+use ancf::run::run_estimated;
 
 pub const CASE: Case = Case {
     name: "heat-shock",

@@ -4,28 +4,21 @@
 
 use nalgebra::{DMatrix, DVector, Vector2, Vector3};
 
-use ancf::equations::force::{self, Element, Matrix14};
-use ancf::equations::material;
-use ancf::equations::shape::{self, Vector14};
+use ancf::equations::element::{Element, Matrix14};
+use ancf::equations::force;
+use ancf::equations::material::{LameConstants, YoungPoisson};
+use ancf::equations::shape::Vector14;
 
 /// An element with its Lamé constants; no heat.
 pub struct SingleElement {
     pub element: Element,
-    pub lambda: f64,
-    pub mu: f64,
+    pub moduli: LameConstants,
 }
 
 impl SingleElement {
     /// A square section of this height, along the direction θ.
-    pub fn new(height: f64, theta: f64, youngs_modulus: f64, nu: f64) -> SingleElement {
-        let (sin, cos) = theta.sin_cos();
-        let (t, n, zero) = (Vector2::new(cos, sin), Vector2::new(-sin, cos), Vector2::zeros());
-        let e_0 = shape::e(&shape::Nodes { r_i: zero, r_y_i: n, r_j: t * 0.5, r_x_j: t, r_y_j: n, r_k: t, r_y_k: n });
-        SingleElement {
-            element: Element { l: 1.0, h: height, w: height, e_0 },
-            lambda: material::lambda(youngs_modulus, nu),
-            mu: material::mu(youngs_modulus, nu),
-        }
+    pub fn new(height: f64, theta: f64, moduli: YoungPoisson) -> SingleElement {
+        SingleElement { element: Element::straight(1.0, height, height, theta), moduli: moduli.into() }
     }
 
     /// Elastic forces (19).
@@ -34,13 +27,13 @@ impl SingleElement {
         let K_1 = force::K_1(e, &no_heat, element);
         let K_2 = force::K_2(e, &no_heat, element);
         let K_3 = force::K_3(e, &no_heat, element);
-        force::Q_e(e, &force::K(self.lambda, self.mu, &K_1, &K_2, &K_3))
+        force::Q_e(e, &force::K(self.moduli, &K_1, &K_2, &K_3))
     }
 
     /// Tangent of the forces, of the consistent or of the printed form.
     pub fn tangent(&self, e: &Vector14, printed: bool) -> Matrix14 {
         let tangent = if printed { force::tangent_printed } else { force::tangent };
-        tangent(e, &Vector3::zeros(), self.lambda, self.mu, &self.element)
+        tangent(e, &Vector3::zeros(), self.moduli, &self.element)
     }
 }
 

@@ -20,7 +20,7 @@
 
 use super::prelude::*;
 use super::richardson::{self, Series};
-use ancf::structure::Structure;
+use ancf::internals::structure::Structure;
 
 pub const CASE: Case = Case {
     name: "singular-mechanism",

@@ -16,6 +16,7 @@ use nalgebra::Vector2;
 
 use super::prelude::*;
 use super::single_element::{SingleElement, free_directions, solve};
+use ancf::equations::material::YoungPoisson;
 
 pub const CASE: Case = Case {
     name: "slenderness",
@@ -90,7 +91,8 @@ fn measure(element: Element, elements: usize, slenderness: f64) -> Result<Findin
 /// The tip in the paper's own form: absolute coordinates e, forces (19), tangent, Newton's iteration on a dense matrix.
 fn total(scene: &Scene) -> f64 {
     let (section, material) = (&scene.section, &scene.material);
-    let beam = SingleElement::new(section.height, 0.0, material.youngs_modulus, material.nu);
+    let moduli = YoungPoisson { E: material.youngs_modulus, nu: material.nu };
+    let beam = SingleElement::new(section.height, 0.0, moduli);
     let free = free_directions(Vector2::y());
     let mut e = beam.element.e_0;
     for _ in 0..6 {

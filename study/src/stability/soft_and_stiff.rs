@@ -16,7 +16,7 @@
 use super::prelude::*;
 use super::richardson::{self, Series};
 use super::stiff::rounding_as_load;
-use ancf::structure::Structure;
+use ancf::internals::structure::Structure;
 
 pub const CASE: Case = Case {
     name: "soft-and-stiff",

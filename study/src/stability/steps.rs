@@ -1,11 +1,12 @@
 //! The steps of a run, one by one.
 
 use crate::error::Result;
-use ancf::integrators::counts::Counts;
-use ancf::integrators::{State, integrator};
+use ancf::integrators::Counts;
+use ancf::integrators::State;
+use ancf::internals::integrators::integrator;
+use ancf::internals::model::Plan;
+use ancf::internals::structure::Structure;
 use ancf::model::Scene;
-use ancf::model::plan::Plan;
-use ancf::structure::Structure;
 
 /// Makes all steps of a scene. Calls `after` at the start, as step 0, and after each step, with the work up to there.
 pub fn each_step(scene: &Scene, mut after: impl FnMut(&Structure, &State, usize, &Counts)) -> Result<Counts> {
