@@ -6,14 +6,26 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 from importlib import import_module
 
-from . import fixture, schemas, versions
+from .fixtures import fixture, schemas, versions
 from .proofs import PROOFS
 
 FIXTURES = ("equations", "cable", "pendulum", "structure", "continuum", "references", "invalid")
-# A page for people, asserted as it is made.
+# Pages for readers; their formulas are asserted as the page is written.
 PAGES = ("derivation",)
-# Needs a program that few have: derived when named, otherwise checked as far as its `check` goes.
+# Fixtures of a program that few have installed: run only when named; otherwise checked as far as their `check` goes.
 WITNESSES = ("calculix",)
+# Module that generates and compares each of them.
+MODULES = {
+    "equations": "element.equations",
+    "cable": "cable.equations",
+    "pendulum": "motion.pendulum",
+    "structure": "structure.structure",
+    "continuum": "solid.continuum",
+    "references": "references.collection",
+    "invalid": "element.invalid_states",
+    "derivation": "derivation",
+    "calculix": "solid.calculix",
+}
 SHOWN = 10
 
 
@@ -25,10 +37,15 @@ def prove():
         print(f"proved   {time.perf_counter() - start:6.1f} s  {sentence}", flush=True)
 
 
+def module_of(name):
+    """The module that generates a fixture or a page."""
+    return import_module(f".{MODULES[name]}", __package__)
+
+
 def derive(name, partly):
-    """One fixture derived afresh, and the seconds that it took; partly: only what its `check` derives, if any."""
+    """One fixture derived afresh, and the seconds that it took; `partly`: only what its `check` derives, if it has one."""
     start = time.perf_counter()
-    module = import_module(f".{name}", __package__)
+    module = module_of(name)
     fresh = getattr(module, "check", module.generate)() if partly else module.generate()
     return fresh, time.perf_counter() - start
 
@@ -62,7 +79,7 @@ def main():
         derivations = {name: pool.submit(derive, name, partly) for name in names}
         prove()
         for name, derivation in derivations.items():
-            module = import_module(f".{name}", __package__)
+            module = module_of(name)
             fresh, seconds = derivation.result()
             if arguments.check:
                 found = compare(module, fresh)

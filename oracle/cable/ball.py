@@ -2,7 +2,7 @@
 
 from flint import arb, arb_poly, ctx, fmpq, fmpz
 
-from .. import fixture
+from ..fixtures import fixture
 
 # Bits of every ball, and decimals that are stored. Radii near 1e-150 leave no doubt about either.
 ctx.prec = 512

@@ -12,7 +12,7 @@ from math import prod
 import sympy
 from flint import arb, fmpq, fmpq_mat, fmpq_poly
 
-from ..fixture import from_sympy
+from ..fixtures.fixture import from_sympy
 from .ball import at
 
 DOF = 8

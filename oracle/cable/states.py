@@ -1,11 +1,11 @@
-"""The states of the cable fixture: exact, named, each there for a reason, in the spirit of `oracle/states.py`."""
+"""The states of the cable fixture: exact, named, each there for a reason, in the spirit of `element/states.py`."""
 
 from functools import cache
 
 from flint import fmpq as Q
 
-from ..state import State, WEIGHT, field_in, plus, scatter
-from ..states import (
+from ..element.state import State, WEIGHT, field_in, plus, scatter
+from ..element.states import (
     AUXETIC_25, BACK_113, BACK_157, BAR, DOWN_46, EAST, NORTH, PENDULUM, RUBBER_49, SCISSOR, SLENDER, SOFT_30,
     STEEL_30, STUBBY, TABLE_1, TABLE_2, UP_37, UP_53, UP_62, UP_81,
 )

@@ -1,4 +1,4 @@
-"""How far a correct program may be from a value of `fixtures/cable.json`: the reasoning of `oracle/tolerance.py`.
+"""How far a correct program may be from a value of `fixtures/cable.json`: the reasoning of `element/tolerance.py`.
 
 Lengths of vectors are divided by here, so that a size alone is not enough: `Size` carries how large a quantity gets and the
 terms that are added up for it, sums for a sum and the rule of products for a product.
@@ -7,7 +7,8 @@ terms that are added up for it, sums for a sum and the rule of products for a pr
 from dataclasses import dataclass
 from math import hypot
 
-from ..tolerance import LEAST, RELATIVE, absolute, outer
+from ..element.tolerance import outer
+from ..fixtures.tolerance import LEAST, RELATIVE, absolute
 from . import ball
 
 LEFT = 1e-14  # of its terms, where a quantity is zero but for rounding

@@ -10,7 +10,7 @@ import random
 import sympy
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from ..fixture import from_sympy
+from ..fixtures.fixture import from_sympy
 
 DOF = 14
 # g1 and g2 are the components of any vector of the plane; e1 ... e14 nodal coordinates, or their rates: no formula has both.

@@ -3,7 +3,7 @@
 import sympy
 from flint import fmpq_mpoly
 
-from .. import field
+from ..element import field
 from . import algebra
 from .algebra import Matrix, each, plus
 from .notation import PRODUCT, Node, Symbol, node

@@ -2,7 +2,7 @@
 
 import sympy
 
-from .. import field
+from ..element import field
 from . import symbols as Y
 from .algebra import NODAL, Matrix, column, normal, over_volume, replace, total
 from .calculus import Derivative, Evaluated, Integral

@@ -1,10 +1,10 @@
 """(6), (7) and the weight."""
 
+from ..element import field
 from . import symbols as Y
 from .algebra import GEN, NODAL, column, hessian, normal, over_volume, total
 from .calculus import Integral
 from .notation import Quotient, Symbol, Table, node
-from .. import field
 from .symbols import HALF, ONE, PLANE, RING, e_dot, h, l, r_dot, rho, w
 
 

@@ -5,7 +5,7 @@ from functools import cache
 import sympy
 from flint import fmpq
 
-from .. import field
+from ..element import field
 from .algebra import (GEN, NODAL, RING, Matrix, column, hessian, lift, normal, over_volume,
                       replace, total)
 from .calculus import Function

@@ -1,6 +1,6 @@
 """A scene file as a peer needs it: straight rods, what holds and pulls them, heat along them. Plain floats.
 
-`oracle/scene.py` reads scenes as exact numbers and needs the libraries for them; a peer does not.
+`oracle/structure/scene.py` reads scenes as exact numbers and needs the libraries for them; a peer does not.
 """
 
 import json

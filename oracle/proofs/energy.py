@@ -5,12 +5,12 @@ from itertools import product
 import sympy
 from sympy import Rational, diff, expand, integrate, simplify
 
-from .. import field
-from ..element import DOF, Element
-from ..field import l, x, y
-from ..fixture import to_sympy
-from ..state import Q, field_in, make, nodes, scatter, straight
-from ..states import DOWN_46, EAST, PENDULUM, TABLE_1, states
+from ..element import field
+from ..element.element import DOF, Element
+from ..element.field import l, x, y
+from ..element.state import Q, field_in, make, nodes, scatter, straight
+from ..element.states import DOWN_46, EAST, PENDULUM, TABLE_1, states
+from ..fixtures.fixture import to_sympy
 from .strain import I, R, theta
 
 h, w, lam, mu = sympy.symbols("h w lambda mu", positive=True)

@@ -3,8 +3,8 @@
 import sympy
 from sympy import expand
 
-from .. import field
-from ..field import NODAL, l, x, y
+from ..element import field
+from ..element.field import NODAL, l, x, y
 
 
 def a_1_is_misprinted():

@@ -20,9 +20,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import fixture, solid_sanity
-from .beam import HEATED_DIRECTIONS
-from .hinged import TABLE_1
+from ..fixtures import fixture
+from ..motion.beam import HEATED_DIRECTIONS
+from ..motion.hinged_rod import TABLE_1
+from . import sanity
 from .solid import Rod, Solid, motion
 
 FILE = "continuum.json"
@@ -173,7 +174,7 @@ def runs():
 
 def generate():
     """The whole fixture."""
-    solid_sanity.demand()
+    sanity.demand()
     curves, again = (tips(COARSE, COARSE_SAMPLES, scale) for scale in (1.0, 3.0))
     entries = runs()
     error, rounding = {}, {}
@@ -186,7 +187,7 @@ def generate():
 
 def check():
     """What `--check` derives afresh: all but the fine curves and what takes them."""
-    solid_sanity.demand()
+    sanity.demand()
     return head() | {"coarse": coarse(tips(COARSE, COARSE_SAMPLES))}
 
 

@@ -6,15 +6,15 @@ E/2 (E_11^2 + E_22^2) + mu/2 (2 E_12)^2; the factor multiplies the last term. Ro
 side by side by the plain velocity Verlet rule, so that their errors are much alike and the shift is better
 known than either motion.
 
-`python -m oracle.shear` prints, in some minutes, how far the suddenly heated rod (2D) with and without the factor is
+`python -m oracle.motion.shear` prints, in some minutes, how far the suddenly heated rod (2D) with and without the factor is
 from the plane solid of fixtures/continuum.json: a second witness of what parts the two.
 """
 
 import numpy as np
 
-from .fixture import read, settled
-from .hinged import TABLE_1, Plane
-from .integrate import verlet
+from ..fixtures.fixture import read, settled
+from .hinged_rod import TABLE_1, Plane
+from .integrators import verlet
 
 FACTOR = 5 / 6
 

@@ -10,8 +10,8 @@ from functools import cache
 
 from flint import fmpq as Q
 
+from ..fixtures.fixture import from_sympy, to_sympy
 from . import field
-from .fixture import from_sympy, to_sympy
 
 WEIGHT = (Q(0), Q(-49, 5))
 

@@ -2,7 +2,7 @@
 
 import copy
 
-from . import fixture
+from ..fixtures import fixture
 from .equations import inputs, nearest_angle
 from .states import states
 

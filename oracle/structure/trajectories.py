@@ -1,6 +1,6 @@
 """The motion of structures from rest, their heat and forces changing in time, and what holds them.
 
-Coordinates are free (`flexible.py`), so the constraints hold by construction and no multiplier is integrated;
+Coordinates are free (`nullspace.py`), so the constraints hold by construction and no multiplier is integrated;
 the constraint forces come back from (23). Two integrators run every scene. The energies, the work of heating
 and that of the point forces are followed beside the motion; their balance shows that force, energy and mass
 belong together. Reactions and loads must bring the momentum that the masses gain, linear and angular.
@@ -10,11 +10,12 @@ from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
 
-from . import equation23, integrate, scenes
+from ..fixtures.fixture import nearest, settled
+from ..motion import integrators
+from . import equation23, scenes
 from .cases import numbers
 from .constraint import vector
-from .fixture import nearest, settled
-from .flexible import Structure, floats
+from .nullspace import Structure, floats
 from .scene import Scene, exact, piecewise
 
 WORKERS = 2
@@ -95,9 +96,9 @@ def stored_samples(name):
         z, v = state[:n], state[n:2 * n]
         return np.concatenate([v, structure.rates(t, z, v)])
 
-    atol = np.repeat([*integrate.tolerances(RTOL), ATOL_WORK], [n, n, rods + 1])
+    atol = np.repeat([*integrators.tolerances(RTOL), ATOL_WORK], [n, n, rods + 1])
     start = np.zeros(2 * n + rods + 1)
-    states = np.array(integrate.dop853(rate, start, RTOL, atol, ends(), FIRST_STEP))
+    states = np.array(integrators.dop853(rate, start, RTOL, atol, ends(), FIRST_STEP))
     found = samples(structure, states[:, :n], states[:, n:2 * n])
     # dT is linear in an interval: the work of heating is its change times the mean of dU/d(dT).
     dT = np.array([[piecewise(history, t) for history in structure.histories] for t in ends()])
@@ -109,7 +110,7 @@ def second_samples(name):
     """The same run by extrapolated Verlet steps, without the work."""
     _, structure = prepare(name)
     start = np.zeros(structure.B.shape[1])
-    states = integrate.extrapolated_verlet(structure.acceleration, start, ends(), STEPS)
+    states = integrators.extrapolated_verlet(structure.acceleration, start, ends(), STEPS)
     return samples(structure, *(np.array(part) for part in zip(*states)))
 
 
@@ -179,14 +180,14 @@ def run(name, values, work, second):
     return {
         "id": name,
         "scene": SCENES[name](),
-        "method": integrate.described(RTOL),
+        "method": integrators.described(RTOL),
         "t": [k / 40 for k in range(SAMPLES)],
         **lists({key: values[key] for key in ("position", "velocity")}),
         **lists(force),
         "energy": lists(energy | {"input": work}),
         "error_estimate": apart | {
             "how": f"largest difference over the samples to Verlet steps of {INTERVAL / STEPS:g} s, "
-            f"extrapolated from 1 to {len(integrate.SPLITS)} splits (order {2 * len(integrate.SPLITS)})"},
+            f"extrapolated from 1 to {len(integrators.SPLITS)} splits (order {2 * len(integrators.SPLITS)})"},
         "energy_drift": float(abs(total - total[0] - work).max()),
     }
 

@@ -1,17 +1,17 @@
 """Equation (23) in one state, exact: m q'' + Q_e + Phi_q^T lambda = f, Phi(q) = 0.
 
 Q_e is what the paper writes k(dT) q. For a scene all of it is added up from single elements, whose mass,
-force and weight `element.py` derives from their energies.
+force and weight `element/element.py` derives from their energies.
 """
 
 from dataclasses import dataclass
 
 from flint import fmpq, fmpq_mat
 
+from ..element.element import DOF, Element
+from ..element.state import State
 from . import constraint
-from .element import DOF, Element
 from .scene import piecewise
-from .state import State
 
 ZERO = fmpq(0)
 

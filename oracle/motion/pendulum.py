@@ -25,9 +25,10 @@ import numpy as np
 import scipy
 import sympy
 
-from . import fixture, integrate, rigid, shear
-from .fixture import settled
-from .hinged import TABLE_1, Cable, Plane
+from ..fixtures import fixture
+from ..fixtures.fixture import settled
+from . import integrators, rigid_pendulum, shear
+from .hinged_rod import TABLE_1, Cable, Plane
 
 FILE = "pendulum.json"
 WORKERS = 2
@@ -82,8 +83,8 @@ def stored_samples(case):
     def rate(t, state):
         return np.concatenate([state[n:], rod.acceleration(t, state[:n])])
 
-    atol = np.repeat(integrate.tolerances(RTOL), n)
-    states = integrate.dop853(rate, np.concatenate([q, np.zeros(n)]), RTOL, atol, ENDS)
+    atol = np.repeat(integrators.tolerances(RTOL), n)
+    states = integrators.dop853(rate, np.concatenate([q, np.zeros(n)]), RTOL, atol, ENDS)
     return samples(rod, [np.split(state, 2) for state in states])
 
 
@@ -95,7 +96,7 @@ def second_samples(cases):
     rods, starts = zip(*map(prepare, cases))
     together = type(rods[0])(rods[0].elements, np.transpose([rod.heat for rod in rods]))
     start, steps = np.transpose(starts), STEPS[cases[0][0]]
-    return samples(together, integrate.extrapolated_verlet(together.acceleration, start, ENDS, steps))
+    return samples(together, integrators.extrapolated_verlet(together.acceleration, start, ENDS, steps))
 
 
 def run(case, values, second):
@@ -111,14 +112,14 @@ def run(case, values, second):
         "model": model,
         "start": start,
         "elements": elements,
-        "method": integrate.described(RTOL),
+        "method": integrators.described(RTOL),
         "t": [k / 20 for k in range(INTERVALS + 1)],
         "tip": values["position"].tolist(),
         "tip_velocity": values["velocity"].tolist(),
         "energy": dict(zip(("kinetic", "strain", "potential"), values["energy"].T.tolist())),
         "error_estimate": distance | {
             "how": f"largest difference over the samples to Verlet steps of {INTERVAL / STEPS[element]:g} s, "
-            f"extrapolated from 1 to {len(integrate.SPLITS)} splits (order {2 * len(integrate.SPLITS)})"},
+            f"extrapolated from 1 to {len(integrators.SPLITS)} splits (order {2 * len(integrators.SPLITS)})"},
         "energy_drift": float(abs(total - total[0]).max()),
     }
 
@@ -135,7 +136,7 @@ def generate():
         ]
         second = [pool.submit(second_samples, cases) for cases in alike]
         shifts = [pool.submit(shear.shift, *run) for run in shear.RUNS]
-        rigid_run = rigid.generate(TABLE_1["L"], TABLE_1["h"], TABLE_1["g"])
+        rigid_run = rigid_pendulum.generate(TABLE_1["L"], TABLE_1["h"], TABLE_1["g"])
         runs = {}
         for cases, future in zip(alike, second):
             both = future.result()

@@ -1,7 +1,7 @@
 """The pendulum of Table 1 as a plane solid in CalculiX, a program that shares nothing with this project.
 
 CalculiX integrates CPE8, eight nodes and plane strain (at nu = 0 the same as plane stress), as the brick C3D20 with
-3 x 3 x 3 Gauss points. With ALPHA=0 its implicit dynamics are the trapezoidal rule. `implicit` does the same on
+3 x 3 x 3 Gauss points. With ALPHA=0 its implicit dynamics are the trapezoidal rule. `newmark` does the same on
 the same mesh with the same step, so the two differ by rounding, by CalculiX's stopping criterion and by the seven
 digits that it prints, if both are right: their distance is a test of the forces of `solid`, whatever mesh and step.
 
@@ -21,11 +21,11 @@ from pathlib import Path
 
 import numpy as np
 
-from . import fixture
-from .beam import HEATED_DIRECTIONS
-from .fixture import settled
-from .hinged import TABLE_1
-from .implicit import Implicit, motion
+from ..fixtures import fixture
+from ..fixtures.fixture import settled
+from ..motion.beam import HEATED_DIRECTIONS
+from ..motion.hinged_rod import TABLE_1
+from .newmark import ImplicitRod, motion
 from .solid import Rod
 
 FILE = "calculix.json"
@@ -36,7 +36,7 @@ TOOLS = ("numpy", "scipy", "scikit-fem")
 CASES = [
     ("flexible", "none", None, 40, 2, 5e-4, 2.0),
     ("2d-relaxed", "2d", "relaxed", 40, 2, 5e-4, 0.5),
-    # CalculiX's iteration fails on the shock at 1e-3 s, `implicit` at 2e-4 s.
+    # CalculiX's iteration fails on the shock at 1e-3 s, `newmark` at 2e-4 s.
     ("2d-sudden", "2d", "sudden", 40, 1, 1e-4, 0.5),
 ]
 INTERVAL = 0.01
@@ -44,15 +44,15 @@ INTERVAL = 0.01
 PERIOD = 1.0
 WINDOWS = ((0.0, 0.25), (0.25, 0.5), (0.5, 1.0), (1.0, 1.5), (1.5, 2.0))
 
-# How far CalculiX may be from `implicit` (m): a modulus that is off by 0.1 % moves the tip by 1e-4 m in 0.5 s.
+# How far CalculiX may be from `newmark` (m): a modulus that is off by 0.1 % moves the tip by 1e-4 m in 0.5 s.
 BAR = 1e-5
 # CalculiX prints seven digits of displacements up to 2 m; another machine's may differ by this (m).
 ROUNDING = 5e-6
 # The same of its stress, 3 to 40 in `law`.
 LAW_DIGITS = 1e-4
-# `implicit` again, elsewhere (m).
+# `newmark` again, elsewhere (m).
 REPEATED = 1e-8
-# How much of `implicit` a check of all fixtures repeats (s).
+# How much of `newmark` a check of all fixtures repeats (s).
 SHORT = 0.1
 
 # Largest residual over the average force, and last correction over the increment: far below CalculiX's 5e-3, 1e-2.
@@ -167,10 +167,10 @@ def tip_by_calculix(case):
     return [[initial, 0.0]] + [[round(TABLE_1["L"] + u[0], 12), u[1]] for _, u in printed]
 
 
-def tip_by_implicit(case, end):
-    """The same by `implicit`, to the nanometre."""
+def tip_by_newmark(case, end):
+    """The same by `newmark`, to the nanometre."""
     _, model, start, along, across, step, _ = case
-    rod = Implicit(Rod(*(TABLE_1[name] for name in Rod._fields)), along, across, stress_free(model))
+    rod = ImplicitRod(Rod(*(TABLE_1[name] for name in Rod._fields)), along, across, stress_free(model))
     unknowns = rod.straight(*stretches(model, start))
     states = motion(rod, unknowns, step, round(INTERVAL / step), round(end / INTERVAL))
     return [rod.tip(q).round(9).tolist() for q in states]
@@ -216,7 +216,7 @@ def generate():
     """The fixture. CalculiX runs one case after the other, which takes 20 to 40 minutes."""
     if program() is None:
         raise SystemExit(f"skipped: {PROGRAM} (CalculiX) is not installed, fixtures/{FILE} stays as it is")
-    return document(program(), law(), [(tip_by_calculix(case), tip_by_implicit(case, case[-1])) for case in CASES])
+    return document(program(), law(), [(tip_by_calculix(case), tip_by_newmark(case, case[-1])) for case in CASES])
 
 
 def check():
@@ -230,7 +230,7 @@ def check():
     print(f"skipped: {PROGRAM} (CalculiX) runs only when it is named; its stored numbers are compared", flush=True)
     tips = []
     for case, run in zip(CASES, stored["runs"], strict=True):
-        again = tip_by_implicit(case, SHORT)
+        again = tip_by_newmark(case, SHORT)
         tips.append((run["calculix"], again + run["scikit_fem"][len(again):]))
     return document(stored["generator"]["calculix"], stored["law"], tips)
 

@@ -18,7 +18,7 @@ CORRECTION = 1e-9
 ITERATIONS = 12
 
 
-class Implicit:
+class ImplicitRod:
     """Consistent mass, hinge and tangent beside the forces of a solid of 8-node elements.
 
     Unknowns q: component by component, d and the positions of the nodes that are not hinged.

@@ -12,8 +12,8 @@ from itertools import product
 import sympy
 from flint import fmpq, fmpq_mat, fmpq_mpoly_ctx
 
+from ..fixtures.fixture import from_sympy, to_sympy
 from . import field
-from .fixture import from_sympy, to_sympy
 
 DOF = 14
 PLANE = range(2)

@@ -5,7 +5,9 @@ from importlib.metadata import version
 
 import mpmath
 
-from . import fixture, sanity, tags, tolerance
+from ..fixtures import fixture
+from ..fixtures.tolerance import CONVENTIONS as TOLERANCE
+from . import sanity, tags, tolerance
 from .element import Element
 from .quantities import QUANTITIES, AtPoint
 from .states import states
@@ -35,7 +37,7 @@ CONVENTIONS = {
                "whose energy counts the shear strain once (2 mu for 4 mu); its K uses the consistent K_3.",
     "tags": "each is explained under `tags`; what a state is there for comes first.",
     "provenance": "every value is exact: derived in rational arithmetic from the field, the energy and the temperature.",
-    **tolerance.CONVENTIONS,
+    **TOLERANCE,
     "edits": "none by hand: the generator's command writes this file, and with --check compares it.",
 }
 

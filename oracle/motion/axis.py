@@ -6,8 +6,8 @@ The element is that of `cable.element`: its shape functions, strains and Gauss r
 import numpy as np
 import sympy
 
-from .cable.element import AXIAL_POINTS, BENDING_POINTS, C, G, HEAT, shape_functions
-from .fixture import from_sympy, nearest
+from ..cable.element import AXIAL_POINTS, BENDING_POINTS, C, G, HEAT, shape_functions
+from ..fixtures.fixture import from_sympy, nearest
 
 
 def energy_and_stress(strain):

@@ -6,7 +6,7 @@ import numpy as np
 import scipy
 import skfem
 
-from .beam import stress_and_energy
+from ..motion.beam import stress_and_energy
 from .solid import Rod, Solid, motion
 
 ROD = Rod(L=1.0, h=0.02, w=0.02, rho=7750.0, E=2e8, g=9.8)

@@ -6,9 +6,10 @@ from functools import cached_property
 
 from flint import fmpq, fmpq_mat
 
-from . import field, fixture
+from ..fixtures import fixture
+from ..fixtures.fixture import from_sympy, to_sympy
+from . import field
 from .element import DOF, E_SYMBOLS, NAMES, PLANE
-from .fixture import from_sympy, to_sympy
 
 ZERO = fmpq(0)
 

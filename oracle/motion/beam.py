@@ -8,7 +8,7 @@ the energy is that of any other axes.
 import numpy as np
 import sympy
 
-from . import field
+from ..element import field
 
 # The integrand of Q has degree 8 in x and 4 in y: J has degree 2 in x and 1 in y, dW/dJ is cubic in J.
 GAUSS_POINTS = (5, 3)

@@ -14,9 +14,9 @@ from functools import cached_property
 import numpy as np
 import scipy
 
-from .beam import HEATED_DIRECTIONS, Beam, by_components, stress_and_energy
+from ..fixtures.fixture import each, nearest, to_sympy
+from ..motion.beam import HEATED_DIRECTIONS, Beam, by_components, stress_and_energy
 from .constraint import Clamp, Fix, Pin, Slide, constraints, derivative, vector
-from .fixture import each, nearest, to_sympy
 from .scene import piecewise
 
 

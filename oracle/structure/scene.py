@@ -10,7 +10,7 @@ from math import isqrt
 
 from flint import fmpq
 
-from .fixture import each
+from ..fixtures.fixture import each
 
 
 def exact(numbers):

@@ -11,9 +11,9 @@ import numpy as np
 import scipy
 import sympy
 
+from ..cable.element import EPSILON, KAPPA
 from .axis import Axis, energy_and_stress
 from .beam import HEATED_DIRECTIONS, Beam, by_components, stress_and_energy
-from .cable.element import EPSILON, KAPPA
 
 TABLE_1 = {
     "L": 1.0, "h": 0.02, "w": 0.02,
@@ -73,7 +73,7 @@ class Plane(Hinged):
         return [1 + 2 * heated * TABLE_1["alpha"] * TABLE_1["dT"] for heated in HEATED_DIRECTIONS[model]]
 
     def straight(self, relaxed):
-        """The straight rod along x, unstretched or free of stress."""
+        """Coordinates of the straight rod along x, unstretched or (`relaxed`) free of stress."""
         length = self.parameters["L"] / self.elements
         vectors = np.empty((5 * self.elements + 2, 2))
         for k in range(self.elements):
@@ -85,11 +85,11 @@ class Plane(Hinged):
         return (vectors * ([sqrt(c) for c in self.heat] if relaxed else 1.0))[1:].ravel()
 
     def weights(self):
-        """What the stresses stand for."""
+        """Weights of the stresses in the elastic force: modulus times Gauss weight."""
         return self.mu * np.tile(self.volumes, 4)
 
     def stresses(self, strains):
-        """dW/dJ, over mu."""
+        """dW/dJ divided by mu."""
         return np.concatenate(self.stress(*strains.reshape(self.shape), *self.heat, *self.factors))
 
     def strain_energy(self, strains):
@@ -121,13 +121,13 @@ class Cable(Hinged):
         return [HEATED_DIRECTIONS[model][0] * TABLE_1["alpha"] * TABLE_1["dT"]]
 
     def straight(self, relaxed):
-        """The straight rod along x, unstretched or free of stress."""
+        """Coordinates of the straight rod along x, unstretched or (`relaxed`) free of stress."""
         length = self.parameters["L"] / self.elements
         vectors = np.array([vector for k in range(self.elements + 1) for vector in ((k * length, 0), (1, 0))])
         return (vectors * (1 + self.heat[0] if relaxed else 1.0))[1:].ravel()
 
     def weights(self):
-        """What the stresses stand for."""
+        """Weights of the stresses in the elastic force: modulus times Gauss weight."""
         return np.concatenate([np.tile(self.EA * self.stretched, 2), np.tile(self.EI * self.bent, 4)])
 
     def split(self, strains):

@@ -3,7 +3,8 @@
 import platform
 from importlib.metadata import version
 
-from . import cases, fixture, mechanism, tolerance, trajectories
+from ..fixtures import fixture, tolerance
+from . import cases, mechanism, trajectories
 
 FILE = "structure.json"
 TOOLS = ("numpy", "scipy", "sympy", "python-flint", "mpmath")

@@ -8,20 +8,9 @@ by hand from (3): how large a shape function and its derivatives get over the el
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from math import ceil, floor, log10
 
-from . import fixture
-
-# Of the size: 450 roundings of f64, ten times what this project's own tests grant it.
-RELATIVE = 1e-13
-LEAST = 1e-280  # of a size: where no term stands, the value is exactly zero
-
-CONVENTIONS = {
-    "tolerance": "x agrees with the value f64 where |x - f64| <= absolute, entry by entry. absolute is relative times the "
-                 "size of the terms that are added up for the entry, before they cancel, rounded up to two digits; one "
-                 "number stands for all entries where they are alike. `terms` of a quantity says which terms these are. "
-                 "The number of correct digits is -log10(|x - f64| relative / absolute).",
-}
+from ..fixtures import fixture
+from ..fixtures.tolerance import LEAST, RELATIVE, absolute
 
 
 def doubled(seven):
@@ -195,24 +184,6 @@ TERMS = {
     "axis.Q_e": _force,
     "axis.tangent": _stiffness,
 }
-
-
-def absolute(sizes):
-    """Tolerances of these sizes, one number where all are the same."""
-    bounds = fixture.each(lambda size: up(RELATIVE * max(size, LEAST)), sizes)
-    entries = flat(bounds)
-    return entries[0] if len(set(entries)) == 1 else bounds
-
-
-def up(number):
-    """Rounded up to two digits."""
-    power = floor(log10(number)) - 1
-    return float(f"{ceil(number / 10.0**power)}e{power}")
-
-
-def flat(values):
-    """All numbers of nested lists."""
-    return [entry for value in values for entry in flat(value)] if isinstance(values, list) else [values]
 
 
 def tolerances(state, values, inverse_mass):

@@ -6,14 +6,15 @@ from dataclasses import replace
 from flint import fmpq as Q
 from flint import fmpq_mat
 
-from . import equation23, fixture, scenes, tolerance
+from ..element.element import Element
+from ..element.equations import inputs, nearest_angle
+from ..element.state import make, scatter, straight, turn
+from ..element.states import DOWN_46, UP_53
+from ..fixtures import fixture, tolerance
+from . import equation23, scenes
 from .constraint import constraints, values
-from .element import Element
 from .equation23 import Equation23, column, entries
-from .equations import inputs, nearest_angle
 from .scene import Scene
-from .state import make, scatter, straight, turn
-from .states import DOWN_46, UP_53
 
 RUBBER = {"E": Q(2600), "nu": Q(3, 10), "rho": Q(1200), "alpha": Q(1, 2000)}
 
