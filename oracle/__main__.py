@@ -1,4 +1,4 @@
-"""`python -m oracle [FIXTURE|derivation|proofs] [--check]`: prove, then write or compare fixtures and derivation, or one."""
+"""`python -m oracle [FIXTURE|derivation|proofs] [--check]`: proofs, then fixtures and derivation, written or compared."""
 
 import argparse
 import sys
@@ -6,6 +6,7 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 from importlib import import_module
 
+from . import contents
 from .fixtures import fixture, schemas, versions
 from .proofs import PROOFS
 
@@ -30,7 +31,7 @@ SHOWN = 10
 
 
 def prove():
-    """Runs every proof; an assertion that fails ends the program."""
+    """Runs every proof; a failed assertion ends the program."""
     for proof in PROOFS:
         start = time.perf_counter()
         sentence = proof()
@@ -43,7 +44,7 @@ def module_of(name):
 
 
 def derive(name, partly):
-    """One fixture derived afresh, and the seconds that it took; `partly`: only what its `check` derives, if it has one."""
+    """A fixture derived again, and the seconds taken; `partly` derives only what the module's `check` does, if it has one."""
     start = time.perf_counter()
     module = module_of(name)
     fresh = getattr(module, "check", module.generate)() if partly else module.generate()
@@ -51,13 +52,13 @@ def derive(name, partly):
 
 
 def compare(module, fresh):
-    """Where what is stored differs from what is derived, as lines that name file and place."""
+    """Differences between the stored and the derived fixture, as lines that name file and place."""
     if hasattr(module, "faults"):
         return module.faults(fresh)
     try:
         stored = fixture.read(module.FILE)
         seal = stored.pop("sha256", None)
-        faults = [] if seal == fixture.digest(stored) else ["sha256: not that of the content, which was edited by hand"]
+        faults = [] if seal == fixture.digest(stored) else ["sha256: does not match the content: the file was edited by hand"]
         faults += versions.faults(module.FILE, stored, fixture.render, fixture.FOLDER)
         faults += module.differences(stored, fresh)
     except (OSError, ValueError) as error:
@@ -66,15 +67,15 @@ def compare(module, fresh):
 
 
 def main():
-    """The command line; exit code 1 when what is stored differs from what is derived."""
+    """Command line; exit code 1 when a stored file differs from the derived one."""
     parser = argparse.ArgumentParser(prog="python -m oracle", description=__doc__)
-    parser.add_argument("only", nargs="?", choices=(*FIXTURES, *PAGES, *WITNESSES, "proofs"), help="everything without it")
-    parser.add_argument("--check", action="store_true", help="compare, write nothing")
+    parser.add_argument("only", nargs="?", choices=(*FIXTURES, *PAGES, *WITNESSES, "proofs"), help="this one only; without it, all")
+    parser.add_argument("--check", action="store_true", help="compare and write nothing")
     arguments = parser.parse_args()
     names = {None: FIXTURES + PAGES + WITNESSES * arguments.check, "proofs": ()}.get(arguments.only, (arguments.only,))
     faults = []
     with ProcessPoolExecutor(max_workers=2) as pool:
-        # Deriving starts at once, on its own cores; nothing is written before the proofs hold.
+        # Derivations run in their own processes from the start; nothing is written before all proofs hold.
         partly = arguments.check and arguments.only not in WITNESSES
         derivations = {name: pool.submit(derive, name, partly) for name in names}
         prove()
@@ -85,7 +86,7 @@ def main():
                 found = compare(module, fresh)
                 faults += found
                 verb = "differs" if found else "agrees"
-                note = ", as far as a check derives it" if partly and hasattr(module, "check") else ""
+                note = ", the part that a check derives" if partly and hasattr(module, "check") else ""
             else:
                 size = module.write(fresh) if name in PAGES else fixture.write(module.FILE, fresh)
                 verb, note = "written", f", {size} bytes"
@@ -94,6 +95,8 @@ def main():
     if arguments.check and arguments.only is None:
         faults += schemas.faults()
         print(f"checked  {len(schemas.FILES)} files against their schemas", flush=True)
+        faults += contents.faults()
+        print(f"checked  {len(contents.modules())} modules against {contents.NAME}", flush=True)
     for fault in faults[:SHOWN]:
         print(fault, file=sys.stderr)
     if len(faults) > SHOWN:
