@@ -1,4 +1,4 @@
-"""`fixtures/cable.json`: the gradient-deficient cable element, the competitor of the paper's beam, state by state."""
+"""`fixtures/cable.json`: values of the gradient-deficient cable element in every state."""
 
 import platform
 from importlib.metadata import version
@@ -39,12 +39,12 @@ SQUARE = (DOF, DOF)
 
 
 def along(values):
-    """Values of polynomials in x at a point."""
+    """A function that evaluates polynomials in x at a point."""
     return lambda at: [polynomial(at.x) for polynomial in values(at.element)]
 
 
 class AtPoint:
-    """An element seen at one place of its axis."""
+    """An element at one place of its axis."""
 
     def __init__(self, element, point):
         self.element, self.x = element, point[0]
@@ -71,7 +71,7 @@ QUANTITIES = {
 
 
 def generate():
-    """The whole fixture, derived afresh."""
+    """The fixture."""
     elements = [Element(state) for state in states()]
     found = [values_of(element) for element in elements]
     sanity.demand_of_all(states(), found)
@@ -98,7 +98,7 @@ def generate():
 
 
 def values_of(element):
-    """All values of one state, after what must hold of them."""
+    """All values of one state, once their identities are asserted."""
     points = [AtPoint(element, place) for place in element.state.points]
     values = {
         id: quantity.value(element) if quantity.per == "element" else [quantity.value(at) for at in points]
@@ -125,7 +125,7 @@ def entry(element, values):
 
 
 def stored(value):
-    """Numbers as text, rational ones where all are, beside their f64."""
+    """Numbers as text and as f64: exact where all are rational, decimal otherwise."""
     text = ("exact", fixture.rational) if ball.is_exact(value) else ("decimal", ball.decimal)
     return {text[0]: fixture.each(text[1], value), "f64": fixture.each(ball.nearest, value)}
 

@@ -1,9 +1,9 @@
-"""One element of exact rational numbers: its energies as polynomials, and what they imply.
+"""One element in exact rational numbers: its energies as polynomials, with forces, tangents and mass as derivatives.
 
-The ring is Q[x, y, e1 ... e14]: a function of the element coordinates and of the nodal coordinates
-is an exact polynomial there, so "differentiate with respect to e" and "integrate over the element"
-are operations on polynomials and nothing is approximated. Only what has `printed` in its name
-follows a formula of the paper beyond (A.1), (A.2), Hooke's law and the definitions of the strains.
+A function of the element coordinates and of the nodal coordinates is a polynomial in the ring Q[x, y, e1 ... e14].
+Derivatives with respect to e and integrals over the element are operations on polynomials; nothing is approximated. The
+premises are (A.1), (A.2), Hooke's law and the definitions of the strains. Only functions with `printed` in their name
+follow further formulas of the paper.
 """
 
 from functools import cache, cached_property
@@ -21,14 +21,14 @@ NAMES = ["x", "y"] + [f"e{i}" for i in range(1, DOF + 1)]
 RING = fmpq_mpoly_ctx.get(NAMES)
 E_SYMBOLS = RING.gens()[2:]
 
-# Density of the strain energy without heat, in eps_1, eps_2, eps_3 = E_12: (lambda + 2 mu) W_1 +
-# lambda W_2 + (shear weight) W_3. It only names the three parts that (20) and (21) call K_1 ... K_3.
+# Parts W_1, W_2, W_3 of the energy density (lambda + 2 mu) W_1 + lambda W_2 + (shear weight) W_3 without heat, in
+# eps_1, eps_2 and eps_3 = E_12. They lead to K_1, K_2, K_3 of (20) and (21).
 EPS = sympy.symbols("eps_1:4")
 PARTS = ((EPS[0] ** 2 + EPS[1] ** 2) / 2, EPS[0] * EPS[1], EPS[2] ** 2 / 2)
 
 
 def constant(polynomial):
-    """The number that a polynomial without variables is."""
+    """Value of a constant polynomial."""
     assert polynomial.is_constant(), "the polynomial must be a number"
     return polynomial(*[0] * len(NAMES))
 
@@ -45,19 +45,19 @@ def shape_functions(length):
 
 
 class Element:
-    """Everything the equations (1)-(22) need of one element in one `State`."""
+    """Quantities of the equations (1)-(22) for one element in one `State`."""
 
     def __init__(self, state):
         self.state = state
         self.shapes = shape_functions(state.l)
-        # An initial element that is not straight would fail here: its gradient is not constant.
+        # Fails for an initial element that is not straight: its gradient is not constant.
         gradient = self.gradient(state.e0)
         self.J_0 = fmpq_mat([[constant(entry) for entry in row] for row in gradient])
         self.J_0_inverse = self.J_0.inv()
         self.lam = state.E * state.nu / ((1 + state.nu) * (1 - 2 * state.nu))
         self.mu = state.E / (2 * (1 + state.nu))
 
-    # Kinematics: `e` may be numbers or the ring's own e1 ... e14.
+    # Kinematics. `e` holds numbers, or the ring's variables e1 ... e14.
 
     def position(self, e):
         """Position r: the sum of shape functions times nodal vectors."""
@@ -91,7 +91,7 @@ class Element:
         return [[state.alpha * state.dT * entry for entry in row] for row in directions]
 
     def strain(self, e):
-        """The mechanical strain less the thermal one."""
+        """The mechanical strain minus the thermal strain."""
         E, T = self.mechanical_strain(e), self.thermal_strain
         return [[E[i][j] - T[i][j] for j in PLANE] for i in PLANE]
 
@@ -143,10 +143,10 @@ class Element:
         pairs = [(k, n) for k in range(3) for n in range(3) if self.D[k, n] != 0]
         return sum(eps[k] * eps[n] * (self.D[k, n] / 2) for k, n in pairs)
 
-    # Poisson's terms on the axis alone, beyond the paper: a cure of the thickness locking.
+    # Poisson's terms on the axis alone, beyond the paper: a remedy for thickness locking.
 
     def own(self, tensor):
-        """A tensor in global axes as (11, 22, 2 12) in the rod's own: J_0 turns the latter into the former."""
+        """Components (11, 22, 2 12) in the rod's own axes of a tensor in global axes; J_0 rotates own axes into global ones."""
         R, (t, n) = self.J_0, PLANE
         assert R.transpose() * R == fmpq_mat([[1, 0], [0, 1]])
 
@@ -157,13 +157,13 @@ class Element:
 
     @cached_property
     def D_own(self):
-        """Stress from (11, 22, 2 12), which counts the shear twice."""
+        """Elasticity matrix for strains (11, 22, 2 12), with the shear doubled."""
         lam, mu = self.lam, self.mu
         return fmpq_mat([[lam + 2 * mu, lam, 0], [lam, lam + 2 * mu, 0], [0, 0, mu]])
 
     @cached_property
     def D_0(self):
-        """The same where nothing contracts: E* = E/(1 - nu^2) in both directions."""
+        """Elasticity matrix off the axis, without Poisson's contraction: E* = E/(1 - nu^2) in both directions."""
         alone = self.state.E / (1 - self.state.nu**2)
         return fmpq_mat([[alone, 0, 0], [0, alone, 0], [0, 0, self.mu]])
 
@@ -176,7 +176,7 @@ class Element:
         def density(eps, D):
             return sum(eps[k] * eps[n] * (D[k, n] / 2) for k in range(3) for n in range(3))
 
-        # The integral of what is uniform over the section is h w times that along the axis.
+        # A density that is uniform over the section integrates to h w times its integral along the axis.
         return self.integral(density(eps, self.D_0) + density(on_axis, self.D_own - self.D_0))
 
     @cached_property
@@ -199,7 +199,7 @@ class Element:
 
     @cached_property
     def kinetic_energy(self):
-        """T for arbitrary nodal velocities, which take the place of e1 ... e14."""
+        """T for arbitrary nodal velocities; they are the variables e1 ... e14 here."""
         velocity = self.position(E_SYMBOLS)
         return self.integral(sum(v * v for v in velocity) * (self.state.rho / 2))
 
@@ -210,7 +210,7 @@ class Element:
 
     @cached_property
     def gravity_force(self):
-        """Q_w: the derivative of the work of the weight, the integral of rho g . r."""
+        """Q_w: derivative of the work of the weight, the integral of rho g . r."""
         r, state = self.position(E_SYMBOLS), self.state
         work = self.integral(sum(g * c for g, c in zip(state.gravity, r)) * state.rho)
         return [constant(work.derivative(name)) for name in NAMES[2:]]

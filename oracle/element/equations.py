@@ -1,4 +1,4 @@
-"""`fixtures/equations.json`: the value of every equation in every state, exact and as f64."""
+"""`fixtures/equations.json`: value of every equation in every state, exact and as f64."""
 
 import platform
 from importlib.metadata import version
@@ -41,12 +41,12 @@ CONVENTIONS = {
     "edits": "none by hand: the generator's command writes this file, and with --check compares it.",
 }
 
-# Equations that restate others.
+# Equations that restate others, with the quantities that hold their values.
 ALIASES = {"A.5": ["2.S", "3.S", "4.nodes"]}
 
 
 def generate():
-    """The whole fixture, derived afresh."""
+    """The fixture."""
     sanity.demand_breadth(states())
     found = [entry(state) for state in states()]
     return {
@@ -68,7 +68,7 @@ def generate():
 
 
 def description(id, quantity):
-    """What a reader of the fixture needs to know of a quantity; its id starts with its equation."""
+    """A quantity as the fixture describes it; its id starts with the number of its equation."""
     name = id.split("/")[0]
     return {
         "equation": name[:name.rindex(".")],
@@ -112,7 +112,7 @@ def entry(state):
 
 
 def inputs(state, convert, angle):
-    """What a program has to be given, in one of the two notations."""
+    """Inputs of a program, as f64 or as exact text."""
 
     def numbers(*names):
         return {name: fixture.each(convert, getattr(state, name)) for name in names}
@@ -124,14 +124,14 @@ def inputs(state, convert, angle):
 
 
 def nearest_angle(cosine, sine):
-    """The f64 nearest to the angle, by way of fifty digits."""
+    """The f64 nearest to the angle, computed with fifty digits."""
     with mpmath.workdps(50):
         ratio = [mpmath.mpf(int(v.p)) / int(v.q) for v in (sine, cosine)]
         return float(mpmath.nstr(mpmath.atan2(*ratio), 50))
 
 
 def differences(stored, fresh):
-    """Every difference but the tools' versions, which may move without moving a value."""
+    """Differences, except in the versions of the tools."""
     tools = {"python", "sympy", "python-flint"}
     kept = {tool: version for tool, version in stored.get("generator", {}).items() if tool in tools}
     return fixture.differences(stored, fresh | {"generator": fresh["generator"] | kept})

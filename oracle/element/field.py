@@ -1,7 +1,7 @@
 """The element's position field, from the polynomial (A.1) and the nodal conditions (A.2).
 
-Everything here is symbolic in the length l and the element coordinates x, y. Both components of
-r follow the same polynomial and the same conditions, so one component is derived and used twice.
+All results are symbolic in the length l and the element coordinates x, y. Both components of r
+have the same polynomial and conditions, so one component is derived and used twice.
 """
 
 from functools import cache
@@ -23,7 +23,7 @@ def polynomial(coefficients):
 
 
 def nodal_values(component):
-    """What (A.2) asks of one component of a field, in the order of (4)."""
+    """Values that (A.2) prescribes for one component of a field, in the order of (4)."""
 
     def at(function, abscissa):
         return function.subs({x: abscissa, y: 0})
@@ -41,7 +41,7 @@ def nodal_values(component):
 
 @cache
 def coefficients():
-    """a_0 ... a_6 in terms of the nodal values: the solution of (A.2), which (A.3) states."""
+    """a_0 ... a_6 in terms of the nodal values, from solving (A.2); the paper states them as (A.3)."""
     unknowns = sympy.symbols("a_0:7")
     conditions = [
         sympy.Eq(condition, value)
@@ -53,7 +53,7 @@ def coefficients():
 
 
 def coefficients_printed():
-    """(A.3) as the paper prints it; r_k in a_1 has the wrong sign (E1)."""
+    """(A.3) as printed: r_k in a_1 has the wrong sign (E1)."""
     r_i, r_y_i, r_j, r_x_j, r_y_j, r_k, r_y_k = NODAL
     return (
         r_i,
@@ -68,6 +68,6 @@ def coefficients_printed():
 
 @cache
 def shape_functions():
-    """S_1 ... S_7: the derivatives of the field with respect to the nodal values."""
+    """S_1 ... S_7: derivatives of the field with respect to the nodal values."""
     field = sympy.expand(polynomial(coefficients()))
     return tuple(sympy.expand(field.diff(value)) for value in NODAL)

@@ -1,4 +1,4 @@
-"""`fixtures/invalid.json`: element states that a program has to refuse, each with the key that is wrong and why."""
+"""`fixtures/invalid.json`: element states that a program must reject, each with the wrong key and the reason."""
 
 import copy
 
@@ -19,7 +19,7 @@ BASE = "random-bar-2d"
 SIZE = "a length is positive"
 PRINCIPLE = "a positive modulus and -1 < nu < 1/2: otherwise (17) is infinite or the energy not positive"
 
-# id, quantity that is asked for, key, its value (or what makes it of the right one), and the reason.
+# Id, requested quantity, key, its wrong value (or a function of the right one; None removes the key), reason.
 CASES = (
     ("length-zero", "3.S", "l", 0.0, SIZE),
     ("length-negative", "3.S", "l", -4.0, SIZE),
@@ -55,7 +55,7 @@ def generate():
     """The fixture."""
     (base,) = (state for state in states() if state.id == BASE)
     state = inputs(base, fixture.nearest, {"theta": nearest_angle(*base.direction)})
-    assert len({case[0] for case in CASES}) == len(CASES), "each id stands once"
+    assert len({case[0] for case in CASES}) == len(CASES), "ids must be unique"
     return {
         "schema": "ancf-invalid/1",
         "title": "Element states that have to be refused",
@@ -67,7 +67,7 @@ def generate():
 
 
 def entry(state, id, quantity, key, value, because):
-    """One case; no value takes the key away, a function makes it of the right one."""
+    """One case. The value None removes the key; a function computes the wrong value from the right one."""
     changed = copy.deepcopy(state)
     if value is None:
         del changed[key]

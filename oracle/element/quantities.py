@@ -1,4 +1,4 @@
-"""The quantities of `fixtures/equations.json`: what each is, and how an `Element` yields it."""
+"""The quantities of `fixtures/equations.json`: description, unit, shape, and how each is read from an `Element`."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,22 +21,22 @@ class AtPoint:
         self.element, self.point, self.state = element, point, element.state
 
     def of(self, polynomials):
-        """Values here of nested lists of polynomials in x and y."""
+        """Values at the point of nested lists of polynomials in x and y."""
         return fixture.each(lambda p: p(*self.point, *[0] * DOF), polynomials)
 
     @cached_property
     def _gradient_of_each(self):
-        """J for each nodal coordinate set to one and the others to zero."""
+        """J for each unit vector of nodal coordinates."""
         units = [[fmpq(int(i == j)) for j in range(DOF)] for i in range(DOF)]
         return [self.of(self.element.deformation_gradient(unit)) for unit in units]
 
     def polarised(self, a, b):
-        """The matrix B with e^T B f = (J(e)^T J(f))_ab: J is linear, so unit vectors give it."""
+        """The matrix B with e^T B f = (J(e)^T J(f))_ab, from unit vectors because J is linear in e."""
         J = self._gradient_of_each
         return [[sum((P[k][a] * R[k][b] for k in PLANE), ZERO) for R in J] for P in J]
 
     def form_hessian(self, k):
-        """The second derivative of 2 eps_k, which differs from a quadratic form by a constant."""
+        """Second derivative of 2 eps_k, a quadratic form plus a constant."""
         return [[2 * entry for entry in row] for row in self.of(self.element.strain_hessians[k])]
 
     @cached_property
@@ -56,7 +56,7 @@ def column(matrix):
 
 
 def coefficients(state, expressions):
-    """Rows [a_k, b_k]: expressions in one component's nodal values, for both components of e."""
+    """Rows [a_k, b_k] from expressions in one component's nodal values, evaluated for both components of e."""
     rows = []
     for expression in expressions:
         row = []
@@ -68,7 +68,7 @@ def coefficients(state, expressions):
 
 
 def from_polynomial(at, monomials):
-    """The polynomial (A.1), or its derivative, by its monomials."""
+    """Value of the polynomial (A.1), or of a derivative of it, from its monomials."""
     place = dict(zip((field.x, field.y), map(to_sympy, at.point)))
     values = [from_sympy(m.subs(place)) for m in monomials]
     rows = coefficients(at.state, field.coefficients())
@@ -76,13 +76,13 @@ def from_polynomial(at, monomials):
 
 
 def nodal_sum(at):
-    """Position as the sum (A.4) of shape functions times nodal vectors."""
+    """Position (A.4), the sum of shape functions times nodal vectors."""
     shapes = at.of(at.element.shapes)
     return [sum((S * q for S, q in zip(shapes, at.state.e[i::2])), ZERO) for i in PLANE]
 
 
 def nodal_coordinates(element):
-    """The nodal conditions (A.2) asked of the polynomial whose coefficients (A.3) gives."""
+    """Nodal values (A.2) of the polynomial with the coefficients (A.3)."""
     rows = coefficients(element.state, field.coefficients())
     length = {field.l: to_sympy(element.state.l)}
     components = []
@@ -93,20 +93,20 @@ def nodal_coordinates(element):
 
 
 def acceleration(element):
-    """The nodal accelerations that solve (22) under gravity."""
+    """Nodal accelerations that solve (22) under gravity."""
     load = as_column(element.gravity_force) - as_column(element.force(element.energy))
     return column(element.mass.solve(load))
 
 
 def residual(element):
-    """M a + Q_e - Q_w for an acceleration a that does not solve (22): the numbers of edot, taken per second."""
+    """Residual M a + Q_e - Q_w for the acceleration a = edot / (1 s), which does not solve (22)."""
     forces = as_column(element.force(element.energy)) - as_column(element.gravity_force)
     return column(element.mass * as_column(element.state.edot) + forces)
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """Description of one entry, and the function that reads its exact value."""
+    """Description of a quantity, and the function that reads its exact value."""
 
     what: str
     shape: tuple

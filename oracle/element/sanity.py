@@ -1,15 +1,15 @@
-"""What mechanics demands of every state, whatever the derivation: asserted before a value is stored."""
+"""Identities of mechanics that hold in every state, whatever the derivation; asserted before a value is stored."""
 
 from flint import fmpq, fmpq_mat
 
 
 def demand(state, values):
-    """Exact identities among the values of one state."""
+    """Asserts exact identities between the values of one state."""
     e, edot = column(state.e), column(state.edot)
     M = fmpq_mat(values["7.M"])
     assert values["A.2.e"] == list(state.e), "the field must take the nodal values"
     assert M == M.transpose() and value(edot.transpose() * M * edot) / 2 == values["6.T"]
-    # Positions are the vectors 0, 2 and 5 of (4); slopes do not feel a translation.
+    # Positions are the vectors 0, 2 and 5 of (4); a translation leaves slopes unchanged.
     shift = column([fmpq(int(k in (0, 4, 10))) for k in range(14)])
     mass = state.rho * state.l * state.h * state.w
     assert value(shift.transpose() * M * shift) == mass, "a translation must move the whole mass"
@@ -34,7 +34,7 @@ def demand(state, values):
 
 
 def demand_of_force(state, energy, force, tangent):
-    """Of any form of the energy."""
+    """Asserts the identities of one form of the energy: symmetric tangent, no resultant, no moment, sign."""
     Q, tangent = column(force), fmpq_mat(tangent)
     assert tangent == tangent.transpose()
     for i in range(2):
@@ -46,7 +46,7 @@ def demand_of_force(state, energy, force, tangent):
 
 
 def demand_of_axis(state, values):
-    """Of the energy with Poisson's terms on the axis, which turns with the frame as the consistent one does."""
+    """Asserts the identities of the energy with Poisson's terms on the axis: those of any energy, and its relation to 18.U."""
     names = ("U", "Q_e", "tangent")
     axis, full = ([values[name] for name in form] for form in (
         [f"axis.{name}" for name in names], ["18.U", "19.Q_e", "tangent.dQ_e"]))
@@ -54,9 +54,9 @@ def demand_of_axis(state, values):
     turned, turned_force = (column(quarter_turn(vector)) for vector in (state.e, axis[1]))
     assert fmpq_mat(axis[2]) * turned == turned_force, "a turn must turn the force"
     if state.nu == 0:
-        assert axis == full, "without Poisson's ratio there is nothing to confine to the axis"
+        assert axis == full, "at nu = 0 both energies must be equal"
     if {"rest", "rigid", "uniform", "stress-free", "blocked", "uniaxial"} & set(state.tags):
-        # The gradient is the same all over the element: energy and force cannot tell, the tangent can.
+        # The gradient is uniform over the element: energy and force are equal, the tangents are not.
         assert axis[:2] == full[:2] and (state.nu == 0 or axis[2] != full[2])
     a = state.alpha * state.dT
     heat = {"none": (0, 0), "1d": (a, 0), "2d": (a, a)}[state.model]
@@ -68,7 +68,7 @@ def demand_of_axis(state, values):
 
 
 def demand_at_point(state, at):
-    """Of the fields at one material point; `at` gives a quantity by its name."""
+    """Asserts the identities of the fields at one material point; `at` returns a quantity by its name."""
     e, e0, edot = map(column, (state.e, state.e0, state.edot))
     assert at("A.1.r") == at("A.4.r") == at("1.r")
     assert fmpq_mat(at("2.S")) * e == column(at("1.r"))
@@ -85,7 +85,7 @@ def demand_at_point(state, at):
 
 
 def demand_breadth(states):
-    """What the collection of states has to contain."""
+    """Asserts the range of the states: sizes, materials, inclinations, both signs of heat in both models."""
     assert len(states) >= 24 and len({state.id for state in states}) == len(states)
     assert {fmpq(0), fmpq(3, 10), fmpq(49, 100)} <= {state.nu for state in states}
     slenderness = {state.l / state.h for state in states}
@@ -94,7 +94,7 @@ def demand_breadth(states):
     signs = {(state.model, state.dT > 0) for state in inclined if state.dT != 0}
     assert {(model, sign) for model in ("1d", "2d") for sign in (False, True)} <= signs
     assert any(state.dT == 0 for state in inclined)
-    assert any(state.dT != 0 for state in inclined if state.model == "none"), "heat that has to be left out"
+    assert any(state.dT != 0 for state in inclined if state.model == "none"), "a state with dT but the model none"
     assert any(state.alpha < 0 for state in inclined if state.model != "none" and state.dT != 0)
     assert any(state.nu < 0 for state in inclined)
     free = {state.model for state in inclined if "stress-free" in state.tags}
@@ -103,7 +103,7 @@ def demand_breadth(states):
 
 
 def quarter_turn(vector):
-    """The rate of nodal coordinates that turn about the origin."""
+    """Rate of nodal coordinates in a rotation about the origin with unit angular velocity."""
     return [part for k in range(0, 14, 2) for part in (-vector[k + 1], vector[k])]
 
 

@@ -1,7 +1,7 @@
-"""One state of one element: exact inputs, described by fields rather than by typed nodal vectors.
+"""One state of one element, with exact inputs.
 
-A configuration is a field r(x, y) that the element can represent; its nodal coordinates follow
-from the conditions (A.2).
+A configuration is given as a field r(x, y) that the element can represent, not as typed nodal
+vectors. Its nodal coordinates follow from the conditions (A.2).
 """
 
 import random
@@ -52,7 +52,7 @@ def nodes(length, coefficients):
 
 @cache
 def _nodal_values_of_monomials(length):
-    """What (A.2) reads off each monomial of (A.1) on an element of this length."""
+    """Nodal values (A.2) of each monomial of (A.1) on an element of this length."""
     number = to_sympy(length)
     return [
         [from_sympy(value.subs(field.l, number)) for value in field.nodal_values(monomial)]
@@ -61,13 +61,13 @@ def _nodal_values_of_monomials(length):
 
 
 def turn(direction, vector):
-    """The vector in an element's own axes, turned into global axes."""
+    """Global components of a vector given in an element's own axes."""
     (c, s), (u, v) = direction, vector
     return (c * u - s * v, s * u + c * v)
 
 
 def field_in(direction, origin, *own):
-    """Coefficients of a field from `own`: vectors of x, y, xy, x^2, x^3, x^2 y in turned axes."""
+    """Coefficients of a field. `own` holds the vectors of x, y, xy, x^2, x^3, x^2 y in the axes along `direction`."""
     return [origin, *(turn(direction, vector) for vector in own)]
 
 
@@ -77,14 +77,14 @@ def straight(direction, origin=(0, 0), axial=1, thickness=1, slip=0):
 
 
 def spin(length, coefficients, omega, velocity=(0, 0)):
-    """Nodal velocities of a rigid motion: velocity at the origin of the axes, and omega."""
+    """Nodal velocities of a rigid motion with angular velocity omega; `velocity` is that of the origin."""
     turned = [(-omega * v, omega * u) for u, v in coefficients]
     turned[0] = (turned[0][0] + velocity[0], turned[0][1] + velocity[1])
     return nodes(length, turned)
 
 
 def scatter(seed, size, denominator):
-    """Fourteen fractions k/denominator with |k| <= size, always the same for one seed."""
+    """Fourteen pseudo-random fractions k/denominator with |k| <= size; equal seeds give equal fractions."""
     choice = random.Random(seed)
     return tuple(Q(choice.randint(-size, size), denominator) for _ in range(14))
 
@@ -96,9 +96,9 @@ def plus(a, b):
 
 def make(id, tags, what, size, direction, form, *, material, heat=("none", 0), origin=(0, 0),
          offset=None, edot=None, seed=None, at=None, gravity=WEIGHT, alpha=None):
-    """A state from its initial direction and a field `form`, or the initial one where it is None.
+    """A state from its initial direction and a field `form`; None means the initial field.
 
-    `offset` is added to the nodal coordinates; nodal velocities are `edot` or drawn with `seed`.
+    `offset` is added to the nodal coordinates. Nodal velocities are `edot`, or drawn with `seed`.
     """
     l, h, w = size
     properties = material if alpha is None else material | {"alpha": alpha}

@@ -1,4 +1,4 @@
-"""The states of the fixture: exact, named, and each there for a reason."""
+"""The states of `fixtures/equations.json`: exact and named, each with the reason for it."""
 
 from functools import cache
 
@@ -24,7 +24,7 @@ SOFT_30 = {"E": Q(2600), "nu": Q(3, 10), "rho": Q(1200), "alpha": Q(1, 2000)}
 NEARLY_50 = {"E": Q(14999 * 10**2), "nu": Q(4999, 10000), "rho": Q(1000), "alpha": Q(1, 4000)}
 STEEL_30 = {"E": Q(208 * 10**9), "nu": Q(3, 10), "rho": Q(7800), "alpha": Q(1, 80000)}
 RUBBER_49 = {"E": Q(149 * 10**4), "nu": Q(49, 100), "rho": Q(1000), "alpha": Q(1, 4000)}
-# Thicker when drawn out, shorter when warm: lambda is below zero.
+# Thickens under tension, shortens when heated; lambda is negative.
 AUXETIC_25 = {"E": Q(1800), "nu": Q(-1, 4), "rho": Q(1200), "alpha": Q(-1, 2000)}
 
 # Sizes (l, h, w): half of Table 1's rod, an eighth of Table 2's, and others with l/h = 2, 8, 1000.
@@ -79,7 +79,7 @@ def stretched():
 
 
 def free_heat():
-    """Heat that an unsupported element answers with the stretch sqrt(1 + 2 alpha dT): no force."""
+    """Heated elements at the stress-free stretch sqrt(1 + 2 alpha dT): no force."""
 
     def expanded(model, id, size, direction, turned, stretch, dT, material, **more):
         alpha = (stretch**2 - 1) / (2 * dT)
@@ -101,7 +101,7 @@ def free_heat():
 
 
 def blocked_heat():
-    """Heat that the element is not free to answer."""
+    """Heated elements that are held and cannot expand."""
     thicker = Q(11, 10)
     alpha_dT = (thicker**2 - 1) / 2 * (1 - SOFT_30["nu"])
     return [
@@ -123,7 +123,7 @@ def bent():
     """Curved axes: turned section vectors with the midpoint off the chord."""
 
     def arc(direction, curvature, origin=(0, 0)):
-        """A circle's arc and its turning section vectors, to the order that the field allows."""
+        """A circular arc with turning section vectors, to the order that the field allows."""
         k = Q(curvature)
         axis = {"x": (1, 0), "x^2": (0, k / 2), "x^3": (-k * k / 6, 0)}
         section = {"y": (0, 1), "xy": (-k, 0), "x^2 y": (0, -k * k / 2)}
@@ -146,7 +146,7 @@ def bent():
 
 
 def large():
-    """Arbitrary nodal coordinates far from the initial ones: every term of every equation lives."""
+    """Arbitrary nodal coordinates far from the initial ones: no term of any equation vanishes."""
     return [
         make("random-stubby-none", "random", "l/h = 2, nu = 0.3, no heat.",
              STUBBY, UP_53, None, material=SOFT_30, offset=scatter(51, 12, 8), seed=61,
@@ -170,7 +170,7 @@ def large():
 
 
 def seldom():
-    """Signs that few materials have, and heat that the model leaves out: arbitrary nodal coordinates as below."""
+    """Negative nu and alpha, and heat with the model "none", at arbitrary nodal coordinates."""
     return [
         make("random-auxetic-2d", "random", "nu = -1/4 and alpha < 0, heated in the 2D model.",
              BAR, UP_81, None, material=AUXETIC_25, heat=("2d", 180), offset=scatter(58, 12, 8), seed=69,
@@ -182,7 +182,7 @@ def seldom():
 
 
 def near_singular():
-    """Divisors that are nearly zero: 1 - 2 nu, and the determinant of the deformation gradient."""
+    """Nearly vanishing divisors: 1 - 2 nu, and the determinant of the deformation gradient."""
     flat = straight(BACK_113, (Q(1, 4), 0), axial=Q(3, 2), thickness=Q(1, 512), slip=Q(1, 8))
     return [
         make("near-singular-incompressible-2d", "random", "nu = 0.4999: lambda is 5000 times mu; heated in the 2D model.",

@@ -1,9 +1,9 @@
-"""Tags that follow from a state's numbers, beside those that say why the state is there."""
+"""Tags of states: those that follow from the numbers, added to those given by hand."""
 
 from flint import fmpq
 
-# Below this, what is divided by is nearly nothing: 1 - 2 nu, or the determinant of the deformation gradient.
-NEARLY_NOTHING = fmpq(1, 40)
+# Bound for nearly vanishing divisors: 1 - 2 nu, or the determinant of the deformation gradient.
+NEARLY_ZERO = fmpq(1, 40)
 
 WORDS = {
     "rest": "the initial configuration, no heat: U = 0 and Q_e = 0 exactly",
@@ -34,7 +34,7 @@ WORDS = {
 
 
 def derived(state, shear=(), stretches=()):
-    """Tags by the numbers: shear strains in the element's own axes and det J, both at the state's points."""
+    """Tags that follow from the numbers. `shear` holds shear strains in own axes, `stretches` det J, at the state's points."""
     (c, s), e, size = state.direction, state.e, len(state.e)
     last = size - 4  # node k is followed by one slope
     dx, dy = e[last] - e[0], e[last + 1] - e[1]
@@ -52,19 +52,19 @@ def derived(state, shear=(), stretches=()):
         "nu": state.nu != 0,
         "auxetic": state.nu < 0,
         "moving": any(state.edot),
-        "near-singular": min([1 - 2 * state.nu, *map(abs, stretches)]) <= NEARLY_NOTHING,
+        "near-singular": min([1 - 2 * state.nu, *map(abs, stretches)]) <= NEARLY_ZERO,
     }
     return [tag for tag, holds in found.items() if holds]
 
 
 def all_of(state, **seen):
-    """Both kinds, each once."""
+    """Tags given by hand and derived tags, each once."""
     tags = list(dict.fromkeys([*state.tags, *derived(state, **seen)]))
-    assert set(tags) <= set(WORDS), "every tag is explained"
+    assert set(tags) <= set(WORDS), "every tag must be explained in WORDS"
     return tags
 
 
 def of_all(entries):
-    """The words for the tags that stored entries have."""
+    """Explanations of the tags that the stored entries have."""
     used = {tag for entry in entries for tag in entry["tags"]}
     return {tag: what for tag, what in WORDS.items() if tag in used}

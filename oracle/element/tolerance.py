@@ -1,8 +1,7 @@
-"""How far a correct program may be from a value of `fixtures/equations.json`: a fraction of the terms that are added up.
+"""Size of the terms that are added up for each quantity of `fixtures/equations.json`, entry by entry.
 
-A sum of large terms that nearly cancel is rounded by them and not by what is left of them, so that a bound relative to
-the value alone would fail a correct program. Each quantity has the size of its terms, entry by entry, from three lists
-by hand from (3): how large a shape function and its derivatives get over the element.
+The sizes follow from bounds of the shape functions (3) and of their derivatives over the element. The tolerance is a
+fraction of the size (`fixtures/tolerance.py`).
 """
 
 from collections.abc import Callable
@@ -14,7 +13,7 @@ from ..fixtures.tolerance import LEAST, RELATIVE, absolute
 
 
 def doubled(seven):
-    """One number for each nodal vector as one for each nodal coordinate."""
+    """A list per nodal vector as a list per nodal coordinate."""
     return [number for number in seven for _ in range(2)]
 
 
@@ -24,7 +23,7 @@ def outer(factor, a, b):
 
 
 class Sizes:
-    """What the terms of one state's quantities are made of."""
+    """Bounds from which the terms of one state's quantities are built."""
 
     def __init__(self, state, values):
         self.state, self.values = state, values
@@ -66,7 +65,7 @@ class Sizes:
 
     @property
     def strain(self):
-        """The largest of them, standing for the whole element."""
+        """Largest of the strains' terms, used for the whole element."""
         return max(self.strains)
 
     def force(self, i):
@@ -83,31 +82,31 @@ class Sizes:
 
     @cached_property
     def polynomial(self):
-        """Terms of r, r_x and r_y as (A.1) adds them up: on the axis, for both along it, and across."""
+        """Terms of (A.1): r on the axis, r_x on the axis, r_y, and the derivative of r_y along the axis."""
         c, l = self.coefficients, self.l
         return (c[0] + c[1] * l + c[4] * l**2 + c[5] * l**3, c[1] + 2 * c[4] * l + 3 * c[5] * l**2,
                 c[2] + c[3] * l + c[6] * l**2, c[3] + 2 * c[6] * l)
 
     def inertia(self, i, coordinates):
-        """Terms of M times accelerations that are as large as these, and of the weight."""
+        """Terms of M times accelerations of this size, and of the weight."""
         return self.rho * self.volume * self.N[i] * (self.sum(coordinates) + sum(self.gravity))
 
     def accelerations(self, inverse):
-        """Forces through |M^-1|."""
+        """Terms of the accelerations: |M^-1| times the terms of the forces."""
         load = [self.force(i) + self.rho * self.volume * self.N[i] * sum(self.gravity) for i in range(14)]
         return [sum(abs(fixture.nearest(m)) * f for m, f in zip(row, load)) for row in inverse]
 
 
 @dataclass(frozen=True)
 class Terms:
-    """The terms of a quantity in words, and their size; of a point quantity at each point."""
+    """The terms of a quantity in words, and their size; for a point quantity, at each point."""
 
     what: str
     size: Callable
 
 
 def each_point(what, size):
-    """Terms that are the same at every point."""
+    """Terms whose size is equal at all points."""
     return Terms(what, lambda z: [size(z)] * len(z.state.points))
 
 

@@ -1,6 +1,6 @@
 """A rod of Euler-Bernoulli cable elements in floating point: mass, weight, strains and their energies.
 
-The element is that of `cable.element`: its shape functions, strains and Gauss rules, here end to end.
+Shape functions, strains and Gauss rules are those of `cable.element`.
 """
 
 import numpy as np
@@ -11,7 +11,7 @@ from ..fixtures.fixture import from_sympy, nearest
 
 
 def energy_and_stress(strain):
-    """strain^2/2 and its derivatives by g = r_x and c = r_xx, as functions of g, c and the thermal strain."""
+    """Functions of g = r_x, c = r_xx and the thermal strain: strain^2/2, and its derivatives by g and c."""
     density, variables = strain**2 / 2, [v for v in G + C if strain.has(v)]
     stress = [sympy.factor_terms(density.diff(v)) for v in variables]
     arguments = (*variables, HEAT) if strain.has(HEAT) else variables
@@ -21,9 +21,9 @@ def energy_and_stress(strain):
 class Axis:
     """A rod of n elements of equal length, for one component of its nodal vectors r, r_x.
 
-    `mass` is its mass matrix, `weight` the integral of rho A S. `stretching` and `bending` hold S_x, and S_x
-    and S_xx, at the Gauss points of the two energies, which stand for the `stretched` and `bent` lengths.
-    Sizes are rational numbers of sympy.
+    `mass` is its mass matrix, `weight` the integral of rho A S. `stretching` holds S_x at the Gauss points of the
+    axial energy, whose weights are `stretched`; `bending` holds S_x and S_xx at those of the bending energy, whose
+    weights are `bent`. Sizes are rational numbers of sympy.
     """
 
     def __init__(self, elements, L, h, w, rho):
@@ -43,7 +43,7 @@ class Axis:
             self.weight[own] += [integral(S) for S in shapes]
 
         def end_to_end(families, points):
-            """Derivatives of S at the Gauss points of all elements, and the lengths that these stand for."""
+            """Derivatives of S at the Gauss points of all elements, and the weights of the points (m)."""
             places, weights = np.polynomial.legendre.leggauss(points)
             places, lengths = nearest(length) / 2 * (1 + places), nearest(length) / 2 * weights
             rows = np.zeros((len(families), elements, points, vectors))

@@ -1,8 +1,8 @@
-"""A rod's mass, weight, gradients and strain energy in floating point, from exact polynomials.
+"""A rod of the paper's elements in floating point: mass, weight, gradients and strain energy, from exact polynomials.
 
-The position field is the polynomial (A.1) with the nodal conditions (A.2), element by element. Everything
-is in the rod's own initial axes: there the initial gradient is the unit matrix, and as the law is isotropic
-the energy is that of any other axes.
+The position field is the polynomial (A.1) with the nodal conditions (A.2) in each element. All quantities are in the
+rod's initial axes, where the initial gradient is the unit matrix. The energy does not depend on the axes, because the
+law is isotropic.
 """
 
 import numpy as np
@@ -13,18 +13,17 @@ from ..element import field
 # The integrand of Q has degree 8 in x and 4 in y: J has degree 2 in x and 1 in y, dW/dJ is cubic in J.
 GAUSS_POINTS = (5, 3)
 
-# Along the rod's initial axis, and across.
+# Factors of alpha dT along the rod's initial axis and across it.
 HEATED_DIRECTIONS = {"none": (0, 0), "1d": (1, 0), "2d": (1, 1)}
 
 
 def stress_and_energy(nu, shear=1):
-    """First Piola-Kirchhoff stress dW/dJ, energy density W and dW/dC_T, all over mu, as functions.
+    """Functions for the first Piola-Kirchhoff stress dW/dJ, the energy density W and dW/dC_T, all divided by mu.
 
     W = 1/2 C_ijkl E_ij E_kl with C_ijkl = lambda d_ij d_kl + mu (d_ik d_jl + d_il d_jk) contracts to
     lambda/2 (tr E)^2 + mu E:E. E = (J^T J - I)/2 - E_T is (J^T J - C_T)/2 with C_T = I + 2 E_T, the square of
-    the stress-free stretch, diagonal here. `shear` multiplies the part of E_12, which the paper does not do.
-    Arguments: J11, J12, J21, J22, then C_T along and across; and at the end nu, or shear, where a name is given
-    in place of a number.
+    the stress-free stretch, diagonal here. `shear` multiplies the part with E_12; the paper has no such factor.
+    Arguments: J11, J12, J21, J22, C_T along and across; then nu and shear, where a name is given instead of a number.
     """
     J = sympy.Matrix(2, 2, sympy.symbols("J11 J12 J21 J22"))
     C_T = sympy.symbols("C_along C_across")
@@ -39,8 +38,8 @@ def stress_and_energy(nu, shear=1):
 class Beam:
     """A rod of n elements of equal length, for one component of its nodal vectors.
 
-    `mass` is its mass matrix, `weight` the integral of rho S; `gradient` holds the derivatives by x and by y
-    at all Gauss points, which stand for the `volumes`. Sizes are rational numbers of sympy.
+    `mass` is its mass matrix, `weight` the integral of rho S. `gradient` holds the derivatives by x and by y at all
+    Gauss points, whose weights are `volumes`. Sizes are rational numbers of sympy.
     """
 
     def __init__(self, elements, L, h, w, rho):
@@ -59,12 +58,12 @@ class Beam:
 
 
 def element(length, h, w, rho):
-    """Of one element: mass matrix, integral of rho S, S_x and S_y at the Gauss points, their volumes."""
+    """Mass matrix, integral of rho S, S_x and S_y at the Gauss points, and weights of the points, for one element."""
     x, y = field.x, field.y
     S = sympy.Matrix(field.shape_functions()).subs(field.l, length)
 
     def integral(f):
-        """Over 0 <= x <= length, |y| <= h/2, term by term; odd powers of y vanish."""
+        """Integral over 0 <= x <= length, |y| <= h/2 and the width, term by term; odd powers of y vanish."""
         terms = [(c, i + 1, j + 1) for (i, j), c in sympy.Poly(f, x, y).terms() if j % 2 == 0]
         return w * sum(c * length**i / i * 2 * (h / 2)**j / j for c, i, j in terms)
 
@@ -79,5 +78,5 @@ def element(length, h, w, rho):
 
 
 def by_components(gradient):
-    """The matrix from nodal vectors, x before y, to J11, J12, J21, J22 at all Gauss points, each in turn."""
+    """The matrix from nodal vectors (x before y) to J11 at all Gauss points, then J12, J21, J22."""
     return np.vstack([np.kron(d, component) for component in np.eye(2) for d in gradient])

@@ -1,8 +1,8 @@
-"""The rod of Table 1 on its hinge, of either element: coordinates, accelerations and energies.
+"""The rod of Table 1 on its hinge, with either element: coordinates, accelerations and energies.
 
-Coordinates q are the nodal vectors in turn, but for the hinge's position; for several rods side by side they
-are the columns of q. `heat` holds what the strain energy needs of the heat: numbers, or an array each for
-several rods. Both components of r obey the same mass matrix. The tip's r is the last vector but one.
+The coordinates q are the nodal vectors without the position of the hinge. Several rods are integrated together as
+columns of q. `heat` holds the thermal quantities of the strain energy: numbers, or one array each for several rods.
+Both components of r have the same mass matrix. The tip's r is the last vector but one.
 """
 
 from math import sqrt
@@ -23,7 +23,7 @@ TABLE_1 = {
 
 
 class Hinged:
-    """A rod whose elastic forces are `strains`.T @ stress, the strains being `strains` @ q."""
+    """A hinged rod: its strains are `strains` @ q, its elastic forces `strains`.T @ stress."""
 
     def __init__(self, rod, strains, heat, parameters):
         # The hinge holds the first vector, r(0), at the origin.
@@ -34,10 +34,10 @@ class Hinged:
         inverse = scipy.linalg.cho_factor(self.mass)
         self.stress_to_acceleration = -scipy.linalg.cho_solve(inverse, strains.T * self.weights())
         free_fall = scipy.linalg.cho_solve(inverse, self.weight)
-        self.free_fall = free_fall.reshape(-1, *[1] * np.ndim(heat[0]))  # one for all rods
+        self.free_fall = free_fall.reshape(-1, *[1] * np.ndim(heat[0]))  # shared by all rods
 
     def acceleration(self, _, q):
-        """q'' = M^-1 (weight - Q(q)), at any time."""
+        """q'' = M^-1 (weight - Q(q)); the time has no effect."""
         return self.stress_to_acceleration @ self.stresses(self.strains @ q) + self.free_fall
 
     def energies(self, q, v):
@@ -52,9 +52,9 @@ def sizes(parameters):
 
 
 class Plane(Hinged):
-    """The paper's element. `heat` is the squared stress-free stretches along and across.
+    """A hinged rod of the paper's elements. `heat` is the squared stress-free stretches along and across.
 
-    `shear` multiplies the shear part of the energy, as a shear correction factor does: one for each rod.
+    `shear` multiplies the shear part of the energy, as a shear correction factor does; one value per rod.
     """
 
     def __init__(self, elements, heat, parameters=TABLE_1, shear=None):
@@ -93,13 +93,13 @@ class Plane(Hinged):
         return np.concatenate(self.stress(*strains.reshape(self.shape), *self.heat, *self.factors))
 
     def strain_energy(self, strains):
-        """The integral of W."""
+        """Integral of W over the rod."""
         density = self.energy_density(*strains.reshape(self.shape), *self.heat, *self.factors)
         return self.mu * self.volumes @ density
 
 
 class Cable(Hinged):
-    """The Euler-Bernoulli element. `heat` is the thermal strain along."""
+    """A hinged rod of Euler-Bernoulli elements. `heat` is the thermal strain along the axis."""
 
     stretch, stretch_stress = energy_and_stress(EPSILON)
     bend, bend_stress = energy_and_stress(KAPPA)
@@ -110,7 +110,7 @@ class Cable(Hinged):
         self.EA, self.EI = parameters["E"] * area, parameters["E"] * area * parameters["h"] ** 2 / 12
         rod = Axis(elements, *sizes(parameters))
         self.stretched, self.bent = rod.stretched, rod.bent
-        # g at the points of the stretch; g, then c, at those of bending; x before y.
+        # g at the points of the axial energy; g, then c, at those of the bending energy; x before y.
         families = [*rod.stretching, *rod.bending]
         strains = np.vstack([np.kron(family[:, 1:], component) for family in families for component in np.eye(2)])
         super().__init__(rod, strains, heat, parameters)
@@ -131,17 +131,17 @@ class Cable(Hinged):
         return np.concatenate([np.tile(self.EA * self.stretched, 2), np.tile(self.EI * self.bent, 4)])
 
     def split(self, strains):
-        """g at the points of the stretch, with the heat; g and c at those of bending."""
+        """g at the points of the axial energy, with the heat; g and c at those of the bending energy."""
         axial = 2 * len(self.stretched)
         rods = strains.shape[1:]
         return (*strains[:axial].reshape(2, -1, *rods), *self.heat), strains[axial:].reshape(4, -1, *rods)
 
     def stresses(self, strains):
-        """The derivatives of epsilon^2/2 by g, of kappa^2/2 by g and c."""
+        """Derivatives of epsilon^2/2 by g, and of kappa^2/2 by g and c."""
         axial, bending = self.split(strains)
         return np.concatenate([*Cable.stretch_stress(*axial), *Cable.bend_stress(*bending)])
 
     def strain_energy(self, strains):
-        """The Gauss sums of EA epsilon^2/2 and EI kappa^2/2."""
+        """Gauss sums of EA epsilon^2/2 and EI kappa^2/2."""
         axial, bending = self.split(strains)
         return self.EA * self.stretched @ Cable.stretch(*axial) + self.EI * self.bent @ Cable.bend(*bending)

@@ -1,7 +1,7 @@
 """Two integrators of different families for q'' = acceleration(t, q).
 
-Their distance is an error estimate that neither of them could give alone. Both stop at the given ends of
-intervals, so no sample is interpolated, and what has a kink in time only has to have it at such an end.
+Their distance is an error estimate that neither could give alone. Both stop at the given ends of intervals: no sample
+is interpolated, and histories may have corners at these times only.
 """
 
 from itertools import pairwise
@@ -14,24 +14,24 @@ SPLITS = range(1, 9)
 
 
 def tolerances(rtol):
-    """Absolute ones for coordinates and velocities, to a relative one.
+    """Absolute tolerances of coordinates and of velocities that belong to a relative tolerance.
 
-    Positions (the rods are about 1 m long) and slopes are of order 1. What moves a point visibly is no faster
-    than some 100 rad/s, which makes 1e-11 the velocity that belongs to 1e-13 of a coordinate.
+    Positions (the rods are about 1 m long) and slopes are of order 1. Visible motions are slower than about 100 rad/s,
+    so that an error of 1e-13 in a coordinate corresponds to 1e-11 in its velocity.
     """
     return rtol / 100, rtol
 
 
 def described(rtol):
-    """The first integrator in words."""
+    """Description of DOP853 with its tolerances."""
     coordinate, velocity = tolerances(rtol)
     return f"DOP853, rtol {rtol:g}, atol {coordinate:g} (coordinates), {velocity:g} (velocities)"
 
 
 def dop853(rate, state, rtol, atol, ends, first_step=None):
-    """States of state' = rate(t, state) at the ends of the intervals: Runge-Kutta with error control.
+    """States of state' = rate(t, state) at the ends of the intervals, by Runge-Kutta with error control.
 
-    `first_step` is that of each interval; without it SciPy guesses one.
+    `first_step` is the first step of each interval; without it SciPy guesses one.
     """
     states = [state]
     for interval in pairwise(ends):
@@ -44,10 +44,10 @@ def dop853(rate, state, rtol, atol, ends, first_step=None):
 
 
 def extrapolated_verlet(acceleration, q, ends, steps):
-    """Pairs q, q' from rest: each step is taken whole, in 2, 3 ... 8 Verlet steps, and extrapolated.
+    """Pairs q, q' from rest, by extrapolation of each step from 1, 2 ... 8 Verlet steps.
 
-    The Verlet rule is symmetric in time, so its error has even powers of the step only, and eight splits
-    leave order 16. Each interval has the same number of steps.
+    The Verlet rule is symmetric in time: its error has only even powers of the step, so that eight splits give order 16.
+    All intervals have the same number of steps.
     """
     weights = [prod(j**2 / (j**2 - i**2) for i in SPLITS if i != j) for j in SPLITS]
     v = np.zeros_like(q)
@@ -65,7 +65,7 @@ def extrapolated_verlet(acceleration, q, ends, steps):
 
 
 def verlet(acceleration, t, q, v, a, duration, splits):
-    """Changes of q and v by velocity Verlet; a is the acceleration at q. Changes round less than states."""
+    """Changes of q and v by velocity Verlet; a is the acceleration at q. Summing changes rounds less than summing states."""
     step = duration / splits
     change_q, change_v = 0.0, 0.0
     for k in range(1, splits + 1):

@@ -1,20 +1,19 @@
-"""The pendulum of Table 1 from its strain energy alone, integrated far beyond engineering accuracy.
+"""`fixtures/pendulum.json`: the pendulum of Table 1 from its strain energy alone, far beyond engineering accuracy.
 
-The position field is the polynomial (A.1) with the nodal conditions (A.2), element by element. The strain
-energy is that of St Venant and Kirchhoff, with the thermal strain taken off the Green-Lagrange strain. From
-these two follow
+The position field is the polynomial (A.1) with the nodal conditions (A.2) in each element. The strain energy is that of
+St Venant and Kirchhoff, with the thermal strain subtracted from the Green-Lagrange strain. From these two follow
 
     kinetic energy    1/2 int rho |r'|^2 dV          -> M, exactly (polynomials),
     strain energy     int W(J) dV, J = dr/d(x, y)    -> Q_i = int dW/dJ : dJ/dq_i dV, dW/dJ derived by sympy,
     potential energy  -int rho g . r dV              -> the weight, exactly,
 
-and M q'' = weight - Q(q). The rod lies along x at first, straight and unstretched, so J needs no initial
-gradient. None of (9)-(22) is used. The Euler-Bernoulli element of `cable.element` goes the same way from its own
-field and energy, and `shear` adds what a shear correction factor would change.
+and M q'' = weight - Q(q). The rod is at first straight and unstretched along x, so that J needs no initial gradient.
+None of (9)-(22) is used. The Euler-Bernoulli element of `cable.element` is treated likewise, from its own field and
+energy. `shear` adds the effect of a shear correction factor.
 
-Two integrators of different families run every case: DOP853 (Runge-Kutta, error control), whose numbers are
-stored, and extrapolated Verlet steps (fixed step, order 16). Their distance is the stated error. The energies
-show in addition that force, energy and mass belong together; they would not show a trajectory to be accurate.
+Two integrators of different families run every case: DOP853 (Runge-Kutta, error control), whose numbers are stored,
+and extrapolated Verlet steps (fixed step, order 16). Their distance is the stated error. The energy balance shows that
+force, energy and mass are consistent; it does not show that a trajectory is accurate.
 """
 
 import platform
@@ -35,7 +34,7 @@ WORKERS = 2
 
 RODS = {"ancf": Plane, "euler-bernoulli": Cable}
 
-# Element, model, start, elements. For the axis of the Euler-Bernoulli element the models 1d and 2d are the same.
+# Element, model, start, number of elements. The models 1d and 2d are equal for the Euler-Bernoulli element.
 CASES = [
     (element, model, start, n)
     for element, heated in (("ancf", ("1d", "2d")), ("euler-bernoulli", ("1d",)))
@@ -51,19 +50,19 @@ INTERVAL = 0.05
 
 ENDS = [k * INTERVAL for k in range(INTERVALS + 1)]
 
-# Steps of 5e-5 s, against a highest frequency of 2.8e4 rad/s (thickness vibration), split up to eight times; and
-# of 2e-4 s, against 6e3 rad/s (axial vibration).
+# Steps per interval, each split up to eight times: 5e-5 s for a highest frequency of 2.8e4 rad/s (thickness vibration),
+# 2e-4 s for 6e3 rad/s (axial vibration).
 STEPS = {"ancf": 1000, "euler-bernoulli": 250}
 
-# An oracle worse than this (m) is not written.
+# Largest distance between the two integrators (m) that may be written.
 WORST = 1e-10
 
-# What another machine's rounding may add to the distance between two integrators: m, m/s, J.
+# Allowance for the rounding of another machine, in addition to the distance between the integrators: m, m/s, J.
 ROUNDING = {"position": 1e-12, "velocity": 5e-10, "energy": 1e-9}
 
 
 def prepare(case):
-    """The rod of a case, and its coordinates at the start: relaxed means no stress."""
+    """The rod of a case and its coordinates at the start; a relaxed start is free of stress."""
     element, model, start, elements = case
     rod = RODS[element](elements, RODS[element].heat_of(model))
     return rod, rod.straight(relaxed=start == "relaxed")
@@ -89,9 +88,9 @@ def stored_samples(case):
 
 
 def second_samples(cases):
-    """Cases of one element and equal numbers of it by extrapolated Verlet steps, in a last index.
+    """Cases with the same element and mesh by extrapolated Verlet steps; the last index is the case.
 
-    With a fixed step they do not influence one another, so they run side by side in one array.
+    The cases run together in one array. With a fixed step they do not influence one another.
     """
     rods, starts = zip(*map(prepare, cases))
     together = type(rods[0])(rods[0].elements, np.transpose([rod.heat for rod in rods]))
@@ -125,9 +124,9 @@ def run(case, values, second):
 
 
 def generate():
-    """The fixture: the elastic pendulum in every case, and the rigid one in closed form."""
+    """The fixture: elastic pendulum in every case, rigid pendulum, effect of a shear correction."""
     with ProcessPoolExecutor(WORKERS) as pool:
-        # The sudden 2d starts excite the thickness vibration and take longest.
+        # Sudden 2d starts excite the thickness vibration and take longest.
         longest_first = sorted(CASES, key=lambda case: ("2d", "sudden") != case[1:3])
         first = {case: pool.submit(stored_samples, case) for case in longest_first}
         alike = [
@@ -186,9 +185,9 @@ def generate():
 
 
 def differences(stored, fresh):
-    """Every difference but the tools' versions and what rounding explains.
+    """Differences, except in the versions of the tools and in digits that rounding explains.
 
-    An integrated number may move by its error estimate, as derived now, and ROUNDING; so may the estimates.
+    An integrated number, or an error estimate, may differ by the error estimate derived now plus ROUNDING.
     """
     tools = {"python", "numpy", "scipy", "sympy", "mpmath"}
     kept = {tool: version for tool, version in stored.get("generator", {}).items() if tool in tools}
@@ -200,7 +199,7 @@ def differences(stored, fresh):
 
 
 def settled_runs(stored, fresh):
-    """The stored document, its integrated numbers replaced by the fresh ones where they agree."""
+    """The stored document with its integrated numbers replaced by the fresh ones where they agree."""
     runs = stored.get("runs")
     if type(runs) is not list or len(runs) != len(fresh["runs"]):
         return stored
@@ -208,7 +207,7 @@ def settled_runs(stored, fresh):
 
 
 def settled_run(stored, fresh):
-    """The same for one run."""
+    """A stored run with its integrated numbers replaced by the fresh ones where they agree."""
     allowed = {name: fresh["error_estimate"][name] + ROUNDING[name] for name in ROUNDING}
     tolerances = {
         "tip": allowed["position"],

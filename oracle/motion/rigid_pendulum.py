@@ -1,4 +1,4 @@
-"""The rigid pendulum of Table 1 in closed form: what the elastic rod tends to as it stiffens.
+"""The rigid pendulum of Table 1 in closed form, the limit of the elastic rod for infinite stiffness.
 
 A uniform bar of length L and height h hangs on a hinge at the end of its axis. Its centre of mass is at L/2
 and its moment of inertia about the hinge is m (L^2/3 + h^2/12), so the angle phi from the downward vertical
@@ -25,7 +25,7 @@ HOW = (
 
 
 def generate(L, h, g):
-    """The tip at 0, 0.01 ... 2 s, after closed form and integrated equation of motion were found to agree."""
+    """The tip at 0, 0.01 ... 2 s. Closed form and integrated equation of motion must agree."""
     with mp.workdps(DIGITS):
         L, h, g = (mpf(str(value)) for value in (L, h, g))
         omega_squared = g * (L / 2) / (L**2 / 3 + h**2 / 12)
@@ -59,5 +59,5 @@ def _integrated_angles(times, omega_squared):
 
 
 def _rounded(value):
-    """The nearest double; what DIGITS cannot tell from zero is zero."""
+    """The nearest double; a value that DIGITS cannot distinguish from zero is zero."""
     return float(mp.chop(value, mpf(10) ** (5 - DIGITS)))

@@ -1,13 +1,12 @@
-"""What a shear correction factor of 5/6 would change of the flexible pendulum.
+"""Effect of a shear correction factor of 5/6 on the tip of the flexible pendulum.
 
-The paper's element has none: its shear stress is even over the section, where that of a solid is a parabola
-and does 6/5 of the work. In the rod's own axes, with nu = 0, the energy density is
-E/2 (E_11^2 + E_22^2) + mu/2 (2 E_12)^2; the factor multiplies the last term. Rods with and without it swing
-side by side by the plain velocity Verlet rule, so that their errors are much alike and the shift is better
-known than either motion.
+The paper's element has no such factor: its shear stress is uniform over the section, where that of a solid is a
+parabola and does 6/5 of the work. In the rod's own axes, with nu = 0, the energy density is
+E/2 (E_11^2 + E_22^2) + mu/2 (2 E_12)^2; the factor multiplies the last term. Rods with and without it are integrated
+together by velocity Verlet. Their errors are nearly equal, so that the shift is known better than either motion.
 
-`python -m oracle.motion.shear` prints, in some minutes, how far the suddenly heated rod (2D) with and without the factor is
-from the plane solid of fixtures/continuum.json: a second witness of what parts the two.
+`python -m oracle.motion.shear` takes some minutes. It prints the distances of the suddenly heated rod (2D), with and
+without the factor, from the plane solid of fixtures/continuum.json.
 """
 
 import numpy as np
@@ -18,24 +17,24 @@ from .integrators import verlet
 
 FACTOR = 5 / 6
 
-# With 8 elements the mesh's error would be near half of the largest shift, with 4 all of it.
+# With 8 elements the error of the mesh is about half of the largest shift, with 4 all of it.
 ELEMENTS = 16
 
-# The highest frequency, 3.4e4 rad/s, allows steps below 5.9e-5 s; the mesh decides the accuracy.
+# The highest frequency, 3.4e4 rad/s, allows steps below 5.9e-5 s. The mesh determines the accuracy.
 STEP = 4e-5
 
 INTERVALS = 40
 INTERVAL = 0.05
 
-# Elements and step: the stored run; with half the elements; and these with half the step.
+# Elements and step: the stored run; half the elements; half the elements and half the step.
 RUNS = [(ELEMENTS, STEP), (ELEMENTS // 2, STEP), (ELEMENTS // 2, STEP / 2)]
 
-# What another machine's rounding may add, m: some thirty times what a start disturbed by 1e-13 does.
+# Allowance for the rounding of another machine (m): about thirty times the effect of a disturbance of 1e-13 at the start.
 ROUNDING = 1e-11
 
 
 def shift(elements, step):
-    """Tip with the factor less tip without, at all samples."""
+    """Tip with the factor minus tip without it, at all samples."""
     rods = Plane(elements, np.ones((2, 2)), shear=np.array([1.0, FACTOR]))
     q = np.repeat(Plane(elements, [1.0, 1.0]).straight(relaxed=False)[:, None], 2, 1)
     v = np.zeros_like(q)
@@ -50,7 +49,7 @@ def shift(elements, step):
 
 
 def entry(stored, coarse, with_half_the_step):
-    """The part of the fixture, from the shifts of `RUNS`."""
+    """The entry `shear` of the fixture, from the shifts of `RUNS`."""
 
     def largest(difference):
         return float(np.hypot(*difference.T).max())
@@ -74,12 +73,12 @@ def entry(stored, coarse, with_half_the_step):
 
 
 def settled_entry(stored, fresh):
-    """The stored part, its numbers replaced by the fresh ones where rounding explains the difference."""
+    """The stored entry with numbers replaced by the fresh ones where rounding explains the difference."""
     return settled(stored, fresh, {"shift": ROUNDING, "uncertainty": ROUNDING})
 
 
 def print_sudden(elements=32, step=1.25e-5):
-    """Largest distances of the suddenly heated rod from the solid in its windows, m, without and with the factor."""
+    """Prints the largest distances (m) of the suddenly heated rod from the solid in each window, without and with the factor."""
     solid = read("continuum.json")
     tips = np.array(next(run["tip"] for run in solid["runs"] if run["id"] == "2d-sudden"))
     square = 1 + 2 * TABLE_1["alpha"] * TABLE_1["dT"]

@@ -1,9 +1,9 @@
-"""Reference solutions of statics and vibration: closed forms, or numbers that two methods agree on.
+"""`fixtures/references.json`: reference solutions of statics and vibration, from the files of this folder.
 
-Each file holds one kind of problem. It yields entries: what is solved, its source, its parameters in SI and its
-values, each found in two ways that share no more than the statement of the problem (`value.agreed`), or derived
-symbolically and then evaluated (`value.analytic`). Nothing of (9)-(22) is used; where a file speaks of the
-paper's element it starts from the field r(x, 0) + y d(x), which (A.1) is, and from the strain energy.
+Each file treats one problem and yields entries: problem, source, parameters in SI and values. A value is found by two
+methods that share only the statement of the problem (`value.agreed`), or derived symbolically and evaluated
+(`value.analytic`). None of (9)-(22) is used. Files about the paper's element start from the field r(x, 0) + y d(x) of
+(A.1) and from the strain energy.
 """
 
 import platform
@@ -23,7 +23,7 @@ def generate():
     """The fixture."""
     entries = [entry for problem in PROBLEMS for entry in problem.entries()]
     ids = [entry["id"] for entry in entries]
-    assert len(set(ids)) == len(ids), "each id stands once"
+    assert len(set(ids)) == len(ids), "ids must be unique"
     return {
         "schema": "ancf-references/1",
         "title": "Reference solutions for planar beams: statics, heat, vibration",
@@ -57,7 +57,7 @@ def generate():
 
 
 def differences(stored, fresh):
-    """Every difference but the tools' versions: rounding does not reach the digits that are shown."""
+    """Differences, except in the versions of the tools; rounding does not reach the stored digits."""
     tools = {"python", "sympy", "mpmath"}
     kept = {tool: version for tool, version in stored.get("generator", {}).items() if tool in tools}
     return fixture.differences(stored, fresh | {"generator": fresh["generator"] | kept})

@@ -1,6 +1,6 @@
-"""A straight heated rod, free and between walls, in the paper's strain: Green-Lagrange less alpha dT.
+"""A straight heated rod, free and between walls, with the paper's strain: Green-Lagrange minus alpha dT.
 
-Stretched by a along and c across, E_11 = (a^2 - 1)/2 - alpha dT and E_22 = (c^2 - 1)/2 - eps, eps = alpha dT in the
+Stretched by a along and by c across, E_11 = (a^2 - 1)/2 - alpha dT and E_22 = (c^2 - 1)/2 - eps, eps = alpha dT in the
 2D model and 0 in the 1D one; W = lambda/2 (E_11 + E_22)^2 + mu (E_11^2 + E_22^2). The section is free to thicken:
 dW/dc = 0.
 
@@ -10,9 +10,9 @@ dW/dc = 0.
 
 N does not depend on the model: heat across the rod only thickens it.
 
-Euler and Bernoulli's rod with the axial strain a - 1 - alpha dT: W = E A/2 (a - 1 - alpha dT)^2 with Young's modulus
-itself, as the section is free to contract across. Free a = 1 + alpha dT, between walls N = -E A alpha dT, for any nu
-and in both models.
+Euler and Bernoulli's rod has the axial strain a - 1 - alpha dT and W = E A/2 (a - 1 - alpha dT)^2, with Young's modulus
+because the section is free to contract across. Free a = 1 + alpha dT, between walls N = -E A alpha dT, for any nu and in
+both models.
 """
 
 import sympy
@@ -28,7 +28,7 @@ FREE_DT, HELD_DT = 200.0, 5.0
 
 
 def law():
-    """The squared stretches and the force per E A, by model, in nu and the heat alpha dT; solved and compared."""
+    """For each model, squared stretches and force per E A as functions of nu and alpha dT, solved and compared with the above."""
     nu, heat, a, c = sympy.symbols("nu heat a c", positive=True)
     mu = sympy.Rational(1, 2) / (1 + nu)  # of E = 1
     lame = 2 * mu * nu / (1 - 2 * nu)
@@ -49,7 +49,7 @@ def law():
 
 
 def axial_law():
-    """Stretch of the free rod and force per E A of the one between walls, in the heat; Euler and Bernoulli."""
+    """Euler and Bernoulli: stretch of the free rod and force per E A between walls, as functions of alpha dT."""
     heat, a = sympy.symbols("heat a", positive=True)
     force = ((a - 1 - heat) ** 2 / 2).diff(a)
     (free,) = sympy.solve(force, a)
@@ -58,7 +58,7 @@ def axial_law():
 
 
 def entries():
-    """Both models, nu = 0 and 0.3, and Euler and Bernoulli's rod."""
+    """Entries: both models at nu = 0 and 0.3, and Euler and Bernoulli's rod."""
     states, axial = law(), axial_law()
     with mp.workdps(value.WORKING):
         EA = value.exact(TABLE_1["E"]) * value.exact(TABLE_1["h"]) * value.exact(TABLE_1["w"])

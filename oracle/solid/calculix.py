@@ -1,12 +1,12 @@
-"""The pendulum of Table 1 as a plane solid in CalculiX, a program that shares nothing with this project.
+"""`fixtures/calculix.json`: the pendulum of Table 1 as a plane solid in CalculiX, a program independent of this project.
 
-CalculiX integrates CPE8, eight nodes and plane strain (at nu = 0 the same as plane stress), as the brick C3D20 with
-3 x 3 x 3 Gauss points. With ALPHA=0 its implicit dynamics are the trapezoidal rule. `newmark` does the same on
-the same mesh with the same step, so the two differ by rounding, by CalculiX's stopping criterion and by the seven
-digits that it prints, if both are right: their distance is a test of the forces of `solid`, whatever mesh and step.
+CalculiX integrates CPE8 (eight nodes, plane strain; at nu = 0 equal to plane stress) as the brick C3D20 with 3 x 3 x 3
+Gauss points. With ALPHA=0 its implicit dynamics are the trapezoidal rule. `newmark` applies this rule on the same mesh
+with the same step. If both are right, they differ only by rounding, by CalculiX's stopping criterion and by the seven
+digits that it prints. So their distance tests the forces of `solid` at any mesh and step.
 
-Heat is given as the stress that it amounts to in this law, S0 = -E alpha dT in the heated directions, because
-CalculiX's own thermal expansion is not invariant under rotation where strains are nonlinear.
+Heat enters as the equivalent stress of this law, S0 = -E alpha dT in the heated directions. CalculiX's own thermal
+expansion is not invariant under rotation for nonlinear strains.
 """
 
 import os
@@ -40,22 +40,22 @@ CASES = [
     ("2d-sudden", "2d", "sudden", 40, 1, 1e-4, 0.5),
 ]
 INTERVAL = 0.01
-# The static step before a relaxed start; its length (s) has no meaning.
+# Duration (s) of the static step before a relaxed start; it has no effect.
 PERIOD = 1.0
 WINDOWS = ((0.0, 0.25), (0.25, 0.5), (0.5, 1.0), (1.0, 1.5), (1.5, 2.0))
 
-# How far CalculiX may be from `newmark` (m): a modulus that is off by 0.1 % moves the tip by 1e-4 m in 0.5 s.
+# Largest distance (m) of CalculiX from `newmark`; an error of 0.1 % in the modulus moves the tip by 1e-4 m in 0.5 s.
 BAR = 1e-5
-# CalculiX prints seven digits of displacements up to 2 m; another machine's may differ by this (m).
+# Allowance (m) for CalculiX on another machine, which prints seven digits of displacements up to 2 m.
 ROUNDING = 5e-6
-# The same of its stress, 3 to 40 in `law`.
+# Allowance for its stresses, which are 3 to 40 in `law`.
 LAW_DIGITS = 1e-4
-# `newmark` again, elsewhere (m).
+# Allowance (m) for `newmark` on another machine.
 REPEATED = 1e-8
-# How much of `newmark` a check of all fixtures repeats (s).
+# Duration (s) that a check of all fixtures repeats with `newmark`.
 SHORT = 0.1
 
-# Largest residual over the average force, and last correction over the increment: far below CalculiX's 5e-3, 1e-2.
+# Largest residual relative to the average force, and last correction relative to the increment; defaults are 5e-3, 1e-2.
 CONTROLS = (1e-8, 1e-6)
 GAUSS_POINTS = 27
 
@@ -66,17 +66,17 @@ def stress_free(model):
 
 
 def stretches(model, start):
-    """Along and across, at t = 0."""
+    """Stretches along and across at t = 0."""
     return [sqrt(square) if start == "relaxed" else 1.0 for square in stress_free(model)]
 
 
 def number(x):
-    """In 20 characters, as CalculiX does not read any more of it."""
+    """A number in at most 20 characters, the most that CalculiX reads."""
     return f"{float(x):.13e}"
 
 
 def nodes_and_elements(along, across):
-    """Nodes (i, j) on a grid of half elements, numbered from 1, and elements as CalculiX orders their nodes."""
+    """Nodes (i, j) on a grid of half elements, numbered from 1, and elements with their nodes in CalculiX's order."""
     nodes = {}
     for i in range(2 * along + 1):
         for j in range(2 * across + 1):
@@ -88,7 +88,7 @@ def nodes_and_elements(along, across):
 
 
 def solid_lines(points, elements, E, rho, w):
-    """Nodes, elements and material."""
+    """Lines of the deck for nodes, elements and material."""
     return [
         "*NODE, NSET=ALL", *(f"{k}, {number(x)}, {number(y)}" for k, (x, y) in points.items()),
         "*ELEMENT, TYPE=CPE8, ELSET=ROD", *(f"{k}, " + ", ".join(map(str, e)) for k, e in enumerate(elements, 1)),
@@ -98,19 +98,19 @@ def solid_lines(points, elements, E, rho, w):
 
 
 def stress_lines(count, S11, S22, S12=0.0):
-    """Initial stress, the same at every Gauss point; CalculiX takes it as one of Piola and Kirchhoff (second)."""
+    """Lines for a uniform initial stress, which CalculiX takes as second Piola-Kirchhoff stress."""
     return ["*INITIAL CONDITIONS, TYPE=STRESS"] + [
         f"{element}, {point}, {number(S11)}, {number(S22)}, 0.0, {number(S12)}, 0.0, 0.0"
         for element in range(1, count + 1) for point in range(1, GAUSS_POINTS + 1)]
 
 
 def deck(model, start, along, across, step, end):
-    """The input of one case."""
+    """The input deck of one case."""
     L, h, w, rho, E, g = (TABLE_1[name] for name in ("L", "h", "w", "rho", "E", "g"))
     nodes, elements = nodes_and_elements(along, across)
     points = {k: (i * L / (2 * along), h * (j / (2 * across) - 0.5)) for (i, j), k in nodes.items()}
     lines = solid_lines(points, elements, E, rho, w)
-    # The hinged face is y d: its displacement grows linearly from the axis, exactly. The last node has d.
+    # The hinged face is y d: its displacement is linear across. The last node carries d.
     lines += ["*EQUATION"]
     for j in range(2 * across):
         if j != across:
@@ -123,8 +123,8 @@ def deck(model, start, along, across, step, end):
         lines += stress_lines(len(elements), *(E / 2 * (1 - square) for square in stress_free(model)))
     tip = nodes[2 * along, across]
     if start == "relaxed":
-        # By statics, without weight and with the tip on its height, as CalculiX diverges from initial displacements
-        # of this element. Dynamics need energies, which CalculiX wants to be asked for from the first step on.
+        # A static step without weight and with the tip held in height, because CalculiX diverges from initial displacements
+        # of this element. Dynamics need energies, which CalculiX requires to be requested from the first step on.
         lines += ["*STEP, NLGEOM", "*STATIC, DIRECT", f"{PERIOD}, {PERIOD}", *controls, "*BOUNDARY", f"{tip}, 2",
                   "*EL PRINT, ELSET=ROD, TOTALS=ONLY", "ELSE", "*END STEP"]
     return "\n".join([
@@ -139,7 +139,7 @@ def deck(model, start, along, across, step, end):
 
 
 def run(text):
-    """CalculiX on a deck, on one core: what it printed, line by line."""
+    """Runs CalculiX on a deck with one thread; returns the lines that it printed."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "rod.inp").write_text(text)
         with open(Path(folder) / "log", "w") as log:
@@ -152,13 +152,13 @@ def run(text):
 
 
 def rows(lines, start):
-    """Time and numbers of the first row under each heading that begins with `start`."""
+    """Time and first row of numbers under each heading that begins with `start`."""
     headings = [k for k, line in enumerate(lines) if line.strip().startswith(start)]
     return [(float(lines[k].split()[-1]), [float(part) for part in lines[k + 2].split()[1:]]) for k in headings]
 
 
 def tip_by_calculix(case):
-    """Tip positions every INTERVAL, from the start on."""
+    """Tip positions by CalculiX every INTERVAL, from t = 0."""
     _, model, start, along, across, step, end = case
     printed = rows(run(deck(model, start, along, across, step, end)), "displacements")
     times = np.arange(1, round(end / INTERVAL) + 1) * INTERVAL + PERIOD * (start == "relaxed")
@@ -168,7 +168,7 @@ def tip_by_calculix(case):
 
 
 def tip_by_newmark(case, end):
-    """The same by `newmark`, to the nanometre."""
+    """Tip positions by `newmark` every INTERVAL until `end`, to the nanometre."""
     _, model, start, along, across, step, _ = case
     rod = ImplicitRod(Rod(*(TABLE_1[name] for name in Rod._fields)), along, across, stress_free(model))
     unknowns = rod.straight(*stretches(model, start))
@@ -177,7 +177,7 @@ def tip_by_newmark(case, end):
 
 
 def law():
-    """The law itself: one element, stretched, sheared and turned by 2 rad, under an initial stress."""
+    """CalculiX's stress law: one element, stretched, sheared and rotated by 2 rad, with an initial stress."""
     E, S0 = 200.0, [[-5.0, 3.0], [3.0, -7.0]]
     F = np.array([[cos(2), -sin(2)], [sin(2), cos(2)]]) @ [[1.2, 0.1], [0.0, 0.9]]
     nodes, elements = nodes_and_elements(1, 1)
@@ -206,28 +206,28 @@ def entry(case, calculix, scikit_fem):
 
 
 def program():
-    """CalculiX's version, or None where it is not installed."""
+    """Version of CalculiX, or None where it is not installed."""
     if shutil.which(PROGRAM) is None:
         return None
     return re.search(r"Version ([\d.]+)", subprocess.run([PROGRAM, "-v"], capture_output=True, text=True).stdout)[1]
 
 
 def generate():
-    """The fixture. CalculiX runs one case after the other, which takes 20 to 40 minutes."""
+    """The fixture; CalculiX takes 20 to 40 minutes."""
     if program() is None:
-        raise SystemExit(f"skipped: {PROGRAM} (CalculiX) is not installed, fixtures/{FILE} stays as it is")
+        raise SystemExit(f"skipped: {PROGRAM} (CalculiX) is not installed; fixtures/{FILE} is unchanged")
     return document(program(), law(), [(tip_by_calculix(case), tip_by_newmark(case, case[-1])) for case in CASES])
 
 
 def check():
-    """The stored fixture with scikit-fem's numbers computed again until SHORT. CalculiX is run by `generate` only."""
+    """The stored fixture with scikit-fem's numbers recomputed until SHORT. Only `generate` runs CalculiX."""
     try:
         stored = fixture.read(FILE)
     except (OSError, ValueError):
-        return {}  # comparing says why
+        return {}  # the comparison reports why
     if stored.pop("sha256", None) != fixture.digest(stored):
-        return stored  # comparing says so
-    print(f"skipped: {PROGRAM} (CalculiX) runs only when it is named; its stored numbers are compared", flush=True)
+        return stored  # the comparison reports it
+    print(f"skipped: {PROGRAM} (CalculiX) runs only by name; its stored numbers are used", flush=True)
     tips = []
     for case, run in zip(CASES, stored["runs"], strict=True):
         again = tip_by_newmark(case, SHORT)
@@ -236,7 +236,7 @@ def check():
 
 
 def differences(stored, fresh):
-    """Every difference but the tools' versions and what rounding explains."""
+    """Differences, except in the versions of the tools and in digits that rounding explains."""
     tools = {"calculix", "python", *TOOLS}
     kept = {tool: number for tool, number in stored.get("generator", {}).items() if tool in tools}
     fresh = fresh | {"generator": fresh["generator"] | kept}
@@ -245,10 +245,10 @@ def differences(stored, fresh):
 
 
 def document(program, law, tips):
-    """The fixture, from CalculiX's version, its stress in `law`, and the pairs of tips."""
+    """The fixture from CalculiX's version, its stress in `law`, and pairs of tips."""
     E, S0, F, cauchy = (np.array(law[name]) for name in ("E", "S0", "F", "cauchy"))
     expected = F @ (E / 2 * (F.T @ F - np.eye(2)) + S0) @ F.T / np.linalg.det(F)
-    assert np.allclose(cauchy, expected, rtol=1e-6, atol=0), f"CalculiX's law is another: {cauchy}, not {expected}"
+    assert np.allclose(cauchy, expected, rtol=1e-6, atol=0), f"the stress of CalculiX is {cauchy}, not {expected}"
     return {
         "schema": "ancf-calculix/1",
         "title": "The pendulum of Table 1 as a plane solid, by CalculiX and by scikit-fem on the same mesh",

@@ -1,15 +1,15 @@
 """`fixtures/continuum.json`: the pendulum of Table 1 as a plane solid, with its uncertainty window by window.
 
-The beam's equations are in none of it: the section may warp and thicken as it likes. `python -m oracle continuum`
-takes a quarter of an hour of one core, too long for every check: `--check` repeats a coarse level, which has to agree
-with the stored one, and to be as near to the stored fine curves as it was.
+No equation of the beam is used: the section may warp and thicken. `python -m oracle continuum` takes a quarter of an hour
+on one core, too long for every check. `--check` repeats a coarse level, which must agree with the stored one and must be
+as close to the stored fine curves as it was.
 
-Observed: order 4 in the elements' length and height for the flexible and the relaxed models, whose steps are exact to
-3e-9 m. The sudden ones have fronts, so their highest waves are never resolved and no order shows: each refinement
-moves their tip by about 3e-5 m before 0.5 s, plain velocity Verlet at 5e-6 s by as much.
+Observed: order 4 in length and height of the elements for the flexible and the relaxed models; their error in time is
+3e-9 m. Sudden models have wave fronts, so that their highest waves are never resolved and no order shows. Each refinement
+moves their tip by about 3e-5 m before 0.5 s, as does plain velocity Verlet at 5e-6 s.
 
-The hinge matters: held at one node only, sudden models move by 1 cm before 0.5 s, the others by 4e-5 m; a face that
-cannot stretch changes 2e-5 m and 1e-10 m (a coarse mesh, 50 x 2).
+The hinge matters (mesh 50 x 2, before 0.5 s). A hinge at a single node changes the tip by 1 cm in sudden models and by
+4e-5 m in the others; a face that cannot stretch changes it by 2e-5 m and 1e-10 m.
 """
 
 import platform
@@ -43,14 +43,14 @@ WINDOWS = ((0.0, 0.25), (0.25, 0.5), (0.5, 1.0), (1.0, 1.5), (1.5, 2.0))
 
 
 class Level(NamedTuple):
-    """A mesh, and the time steps an interval."""
+    """A mesh, and the number of time steps per interval."""
 
     along: int
     across: int
     splits: int
 
     def described(self):
-        """For the fixture."""
+        """The level as the fixture describes it."""
         return {"along": self.along, "across": self.across, "step": INTERVAL / self.splits}
 
 
@@ -62,9 +62,9 @@ LEVELS = {
 }
 COARSE = Level(50, 2, 400)
 COARSE_SAMPLES = 100
-COARSE_STRIDE = 5  # what is stored of it: every 0.05 s
+COARSE_STRIDE = 5  # intervals between stored samples: 0.05 s
 
-# How far off a check may find the coarse curve: what rounding grew to, with room for another machine; and storage.
+# Tolerance of a check of the coarse curve: factor on the observed rounding, for another machine; and rounding of storage (m).
 ROUNDING_FACTOR, STORED = 30, 1e-9
 
 CONVENTIONS = {
@@ -91,7 +91,7 @@ CONVENTIONS = {
 
 
 def tips(level, samples=SAMPLES, scale=1.0):
-    """The tip in each model, (model, sample, component), computed with lengths `scale` times as large."""
+    """The tip, (model, sample, component), computed with all lengths multiplied by `scale`."""
     start = time.perf_counter()
     L, h, w, rho, E, g = (TABLE_1[name] for name in Rod._fields)
     stretches = [[1 + 2 * heated * TABLE_1["alpha"] * TABLE_1["dT"] for heated in HEATED_DIRECTIONS[model]]
@@ -110,25 +110,25 @@ def tips(level, samples=SAMPLES, scale=1.0):
 
 
 def windowed(distances, stride=1):
-    """The largest in each window that the samples, `stride` intervals apart, reach the end of."""
+    """Largest distance in each window whose end the samples reach; they are `stride` intervals apart."""
     samples = [round(end / INTERVAL / stride) for _, end in WINDOWS]
     starts = [0, *samples]
     return [float(max(distances[a + 1:b + 1])) for a, b in zip(starts, samples) if b < len(distances)]
 
 
 def upwards(values):
-    """Two digits, rounded up."""
+    """Values rounded up to two digits."""
     units = [10.0 ** (floor(log10(value)) - 1) for value in values]
     return [float(f"{ceil(value / unit) * unit:.1e}") for value, unit in zip(values, units)]
 
 
 def distance(a, b):
-    """Between two curves, sample by sample."""
+    """Distances between two curves, sample by sample."""
     return np.linalg.norm(a - b, axis=-1)
 
 
 def head():
-    """All but what takes long."""
+    """The entries of the fixture that need no long computation."""
     return {
         "schema": "ancf-continuum/1",
         "title": "The pendulum of Table 1 as a plane solid, elastic and heated, with its uncertainty",
@@ -155,7 +155,7 @@ def coarse(curves):
 
 
 def runs():
-    """The fine curves with their uncertainty."""
+    """The fine curves with their uncertainties."""
     curves = {name: tips(level) for name, level in LEVELS.items()}
     fine, thin = curves["fine"], curves["half across"]
     across, along, doubled = (distance(thin, other) for other in (
@@ -173,7 +173,7 @@ def runs():
 
 
 def generate():
-    """The whole fixture."""
+    """The fixture."""
     sanity.demand()
     curves, again = (tips(COARSE, COARSE_SAMPLES, scale) for scale in (1.0, 3.0))
     entries = runs()
@@ -186,15 +186,15 @@ def generate():
 
 
 def check():
-    """What `--check` derives afresh: all but the fine curves and what takes them."""
+    """The part of the fixture that `--check` derives: everything that does not need the fine curves."""
     sanity.demand()
     return head() | {"coarse": coarse(tips(COARSE, COARSE_SAMPLES))}
 
 
 def differences(stored, fresh):
-    """Every difference but the tools' versions and what rounding explains, in what `check` derives.
+    """Differences in the part that `check` derives, except versions of the tools and digits that rounding explains.
 
-    And where the coarse curve is farther from the stored fine one than its stated error.
+    Also the windows in which the coarse curve is farther from the stored fine curve than its stated error.
     """
     tools = {"python", *TOOLS}
     kept = {tool: version for tool, version in stored.get("generator", {}).items() if tool in tools}
@@ -211,7 +211,7 @@ def differences(stored, fresh):
 
 
 def too_far(run, stored, fresh):
-    """The windows in which the coarse curve, as derived now, is farther from the fine one than stated."""
+    """Windows in which the coarse curve, as derived now, is farther from the fine curve than stated."""
     name = run["id"]
     tip = np.array(fresh["tip"][name])
     fine = np.array(run["tip"])[::COARSE_STRIDE][:len(tip)]

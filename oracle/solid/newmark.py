@@ -1,10 +1,11 @@
-"""The plane solid by the trapezoidal rule with consistent mass: step for step what CalculiX does with ALPHA=0.
+"""The plane solid by the trapezoidal rule (Newmark, beta = 1/4, gamma = 1/2) with consistent mass.
 
-The forces are those of `solid`. From the same law, P_iB = E F_iA (E_AB - E_T_AB) at nu = 0, Newton's tangent is
+Step by step this is the method of CalculiX with ALPHA=0. The forces are those of `solid`. From its law,
+P_iB = E F_iA (E_AB - E_T_AB) at nu = 0, Newton's tangent is
 
     dP:dF  ->  K = E/2 ((F F^T)_ij g_m.g_n + (F g_n)_i (F g_m)_j) + 1_ij g_m.S g_n
 
-with g the gradients of the shape functions. The hinged face stays straight by the choice of unknowns: r(0, y) = y d.
+with g the gradients of the shape functions. The choice of unknowns keeps the hinged face straight: r(0, y) = y d.
 """
 
 import numpy as np
@@ -13,13 +14,13 @@ import skfem
 
 from .solid import Solid
 
-# Newton ends at a correction (m) at which the next one, its square, is rounding.
+# Newton's iteration ends at this correction (m); the next one would be its square, below rounding.
 CORRECTION = 1e-9
 ITERATIONS = 12
 
 
 class ImplicitRod:
-    """Consistent mass, hinge and tangent beside the forces of a solid of 8-node elements.
+    """A hinged rod of 8-node elements with consistent mass, forces and tangent.
 
     Unknowns q: component by component, d and the positions of the nodes that are not hinged.
     """
@@ -50,15 +51,15 @@ class ImplicitRod:
         return np.concatenate([[0.0], along * x, [across], across * y])
 
     def positions(self, q):
-        """(component, node, 1), as `solid` has it."""
+        """Positions in the shape of `solid`: (component, node, 1)."""
         return (self.field @ q).reshape(2, self.nodes, 1)
 
     def force(self, q):
-        """Of stresses and weight on the unknowns."""
+        """Force of stresses and weight on the unknowns."""
         return self.field.T @ self.solid.force(self.positions(q)).ravel() + self.weight
 
     def tangent(self, q):
-        """K, for the unknowns."""
+        """K for the unknowns."""
         mu, volumes, g = self.solid.mu, self.solid.volumes, self.g
         S11, S22, S12 = mu * self.solid.strain(self.positions(q))
         F = self.solid.F.reshape(2, 2, *S11.shape)
@@ -78,7 +79,7 @@ class ImplicitRod:
 
 
 def motion(rod, q, step, every, samples):
-    """Unknowns at the start, at rest, and after each of `samples` times `every` steps."""
+    """Yields the unknowns at the start, at rest, and then `samples` times, each after `every` steps."""
     v = np.zeros_like(q)
     a = scipy.sparse.linalg.spsolve(rod.mass, rod.force(q))
     yield q
@@ -89,7 +90,7 @@ def motion(rod, q, step, every, samples):
 
 
 def stepped(rod, q, v, a, step):
-    """One step: q and v from the mean of the accelerations at its ends, that of its end from equilibrium there."""
+    """One step: q and v from the mean of the accelerations at both ends; equilibrium at the end gives the new one."""
     known = q + step * v + step**2 / 4 * a
     new = known + step**2 / 4 * a
     for _ in range(ITERATIONS):

@@ -1,4 +1,4 @@
-"""What mechanics demands of the solid before anything is computed with it."""
+"""Identities of mechanics for the solid, asserted before anything is computed with it."""
 
 from itertools import product
 
@@ -11,13 +11,13 @@ from .solid import Rod, Solid, motion
 
 ROD = Rod(L=1.0, h=0.02, w=0.02, rho=7750.0, E=2e8, g=9.8)
 HEAT = [[1.0, 1.0114, 1.0114], [1.0, 1.0, 1.0114]]
-ROUNDING = 1e-11  # of E h w, under strains of order one
+ROUNDING = 1e-11  # fraction of E h w, for strains of order one
 
 ELEMENTS = (skfem.ElementQuad2, skfem.ElementQuadS2)
 
 
 def demand():
-    """Every check, for 9 and 8 nodes; an assertion that fails ends the program."""
+    """Runs every check with 9 and 8 nodes; a failed assertion ends the program."""
     for element, across in product(ELEMENTS, (2, 4)):
         solid = Solid(ROD, 4, across, HEAT, element)
         demand_patch(solid)
@@ -31,7 +31,7 @@ def demand():
 
 
 def bent(solid):
-    """A state without any symmetry, the same for all models: strains of a few per cent, turned."""
+    """A rotated state without symmetry, equal for all models, with strains of a few per cent."""
     x, y = solid.initial
     c, s = np.cos(0.7), np.sin(0.7)
     shape = np.array([x + 0.02 * x**2 - y * x, y * (1 + 0.03 * x) + 0.1 * x**2])
@@ -39,12 +39,12 @@ def bent(solid):
 
 
 def size(solid):
-    """A force to measure others by: E h w."""
+    """Force scale E h w."""
     return solid.rod.E * solid.rod.h * solid.rod.w
 
 
 def demand_patch(solid):
-    """Under a uniform gradient the nodes inside are free of force, and the others carry the law's stress."""
+    """Patch test: under a uniform gradient inner nodes are free of force and the boundary carries the law's stress."""
     F = np.array([[0.9, -0.4], [0.5, 1.1]])
     force = solid.force(np.repeat((F @ solid.initial)[:, :, None], solid.models, 2))
     x, y = solid.initial
@@ -59,7 +59,7 @@ def demand_patch(solid):
 
 
 def demand_free_expansion(solid):
-    """At the stress-free stretch, turned, nothing acts; unstretched, heat does."""
+    """Free expansion: no force at the rotated stress-free stretch, a force at the unstretched heated rod."""
     c, s = np.cos(2.0), np.sin(2.0)
     free = np.einsum("ij,jnm->inm", [[c, -s], [s, c]], solid.straight(*np.sqrt(HEAT)))
     assert abs(solid.force(free)).max() < ROUNDING * size(solid)
@@ -68,7 +68,7 @@ def demand_free_expansion(solid):
 
 
 def demand_frame(solid):
-    """Forces turn with the rod, and have neither resultant nor moment."""
+    """Frame indifference: forces rotate with the rod and have neither resultant nor moment."""
     r = bent(solid)
     c, s = np.cos(1.1), np.sin(1.1)
     turn = np.array([[c, -s], [s, c]])
@@ -79,7 +79,7 @@ def demand_frame(solid):
 
 
 def demand_energy(solid):
-    """The force is minus the strain energy's derivative (a central difference, as a quotient)."""
+    """Energy: the force is minus the derivative of the strain energy (central difference)."""
     r = bent(solid)
     direction = np.random.default_rng(1).normal(size=r.shape) * solid.rod.h
     step = 1e-5
@@ -89,16 +89,16 @@ def demand_energy(solid):
 
 
 def demand_mass(solid):
-    """The whole mass, its centre, and a positive share for every node."""
+    """Mass: total, centre, and a positive mass for every node."""
     rod = solid.rod
     assert solid.mass.min() > 0 and np.isclose(solid.mass.sum(), rod.rho * rod.L * rod.h * rod.w, rtol=ROUNDING)
     assert np.allclose(solid.initial @ solid.mass / solid.mass.sum(), [rod.L / 2, 0], rtol=0, atol=ROUNDING)
 
 
 def stiffness(solid):
-    """Of the rod at rest, by nodal displacements of each sign and two sizes: the force is a cubic of them.
+    """Stiffness of the rod at rest from displacements of both signs and two sizes; the force is cubic in them.
 
-    The even powers drop out of the differences, the cubic one out of their combination, so nothing need be small.
+    Even powers cancel in the differences and the cubic term in their combination, so that displacements need not be small.
     """
     rest = solid.initial.ravel()
     size = solid.rod.h / 10
@@ -112,23 +112,23 @@ def stiffness(solid):
 
 
 def unheated(along, across):
-    """A rod without heat, of 9-node elements, with as many models as coordinates: one call moves them all."""
+    """A rod of 9-node elements without heat, with one model per coordinate: one call displaces each coordinate once."""
     count = 2 * (2 * along + 1) * (2 * across + 1)
     return Solid(ROD, along, across, np.ones((2, count)))
 
 
 def demand_step_limit():
-    """On a regular mesh the limit of one element alone is that of the whole mesh."""
+    """Step limit: on a regular mesh that of a single element is that of the whole mesh."""
     solid = unheated(8, 2)
     fastest = scipy.linalg.eigh(stiffness(solid), np.diag(np.tile(solid.mass, 2)), eigvals_only=True)[-1]
     assert np.isclose(solid.stable_step(), np.sqrt(12 / fastest), rtol=1e-9)
 
 
 def demand_bending():
-    """The lowest bending frequency, against that of plane elasticity: order 4 in the elements' length and height.
+    """Bending: the lowest frequency converges to that of plane elasticity with order 4 in length and height of the elements.
 
-    One element across has no shear stress that varies across the rod, hence too stiff a shear, like a beam
-    without a correction factor; two have 15/16 of it.
+    With one element across, the shear stress is uniform over the section and too stiff, like that of a beam without a
+    correction factor; two elements have 15/16 of that stiffness.
     """
     one, two, four, fine = (bending(*mesh) - 1 for mesh in ((20, 1), (20, 2), (20, 4), (40, 2)))
     assert two / fine > 10 and fine < 4e-5
@@ -136,7 +136,7 @@ def demand_bending():
 
 
 def bending(along, across):
-    """The lowest frequency over the exact one, with ends that keep their height and are free along the rod.
+    """Ratio of the lowest frequency to the exact one, for ends held in height and free along the rod.
 
     Such a rod bends in sine waves, and its frequency solves the equation of Rayleigh and Lamb.
     """
@@ -159,14 +159,14 @@ def bending(along, across):
 
 
 def demand_balance():
-    """The hinged rod falls, cold and heated along, and keeps its energy: the better the smaller the step."""
+    """Balance: the hinged rod conserves its energy while it falls, cold and heated along, better with smaller steps."""
     solid = Solid(ROD, 10, 2, [[1.0, 1.0114], [1.0, 1.0]])
     coarse, fine = (balance(solid, 2.5e-5 / split, 80 * split) for split in (1, 2))
     assert fine[0] < 1e-7 and fine[1] < 1e-3 and (coarse / fine > 3).all()
 
 
 def balance(solid, step, every):
-    """The largest change of each model's total energy over ten samples, by its largest kinetic energy."""
+    """Largest change of each model's total energy over ten samples, relative to its largest kinetic energy."""
     states = motion(solid, solid.straight(*np.ones((2, 2))), step, every, 10)
     energies = np.array([solid.energies(*state) for state in states])
     return np.ptp(energies.sum(1), axis=0) / energies[:, 0].max(0)

@@ -1,4 +1,4 @@
-"""The exact cases of `fixtures/structure.json`: (23) on two structures, and on a square example for E4."""
+"""The exact cases of `fixtures/structure.json`: (23) for two structures, and for a square example that shows E4."""
 
 import random
 from dataclasses import replace
@@ -21,7 +21,7 @@ RUBBER = {"E": Q(2600), "nu": Q(3, 10), "rho": Q(1200), "alpha": Q(1, 2000)}
 LARGEST = "the largest entry"
 SOLUTION = "the equations' terms through |A^-1|, A the matrix of (23), once for each of its rows"
 
-# Shapes in n coordinates and c constraints, and what the tolerance is a fraction of.
+# Description, shape (n coordinates, c constraints), unit, and terms of which the tolerance is a fraction.
 QUANTITIES = {
     "23.m": ("mass matrix", ["n", "n"], "kg; slopes kg m, kg m^2", LARGEST),
     "23.Q_e": ("elastic force with heat, which the paper writes k(dT) q", ["n"], "N; slopes N m", LARGEST),
@@ -38,7 +38,7 @@ QUANTITIES = {
 
 
 def descriptions():
-    """What a reader of the fixture needs to know of each quantity."""
+    """The quantities as the fixture describes them."""
     return {
         id: {"equation": "23", "what": what, "shape": shape, "unit": unit,
              "form": "printed" if id.endswith("/printed") else "consistent", "terms": terms}
@@ -47,13 +47,13 @@ def descriptions():
 
 
 def numbers(seed, count, size, denominator):
-    """Fractions k/denominator with |k| <= size, always the same for one seed."""
+    """Pseudo-random fractions k/denominator with |k| <= size; equal seeds give equal fractions."""
     choice = random.Random(seed)
     return [Q(choice.randint(-size, size), denominator) for _ in range(count)]
 
 
 def moved(scene, direction, shift):
-    """q of the initial structure, turned about the origin and shifted as a whole."""
+    """q of the initial structure after a rotation about the origin and a shift."""
     positions = {2 * (rod.first + k) for rod in scene.rods for k in range(rod.vectors) if k % 5 in (0, 2)}
     q = scene.straight()
     turned = []
@@ -79,7 +79,7 @@ def cases():
 
 
 def of_scene(id, make_scene, what, *, t, seed, direction=(1, 0), shift=(0, 0), size=4):
-    """A case on a scene: its structure moved as a whole, then disturbed by up to size/4096."""
+    """A case of a scene: its structure moved rigidly, then disturbed by up to size/4096."""
     document = make_scene()
     scene = Scene(document)
     assert not any(values(scene, scene.straight())), "the initial structure must satisfy its constraints"
@@ -89,14 +89,14 @@ def of_scene(id, make_scene, what, *, t, seed, direction=(1, 0), shift=(0, 0), s
     rows = [row for constraint in held for row in constraint.rows()]
     q_ddot, multipliers = numbers(seed + 10, n, 64, 8), numbers(seed + 20, len(rows), 400, 8)
     equation = equation23.of_scene(scene, t, q, q_ddot, multipliers)
-    assert all(equation.Phi), "every constraint must be violated a little, or a wrong one could pass"
+    assert all(equation.Phi), "every constraint must be violated, or a wrong one could pass"
     demand(scene, equation)
     given = {"t": t, "q": q, "q_ddot": q_ddot, "lambda": multipliers}
     return entry(id, what, {"scene": document, "rows": rows}, given, equation)
 
 
 def demand(scene, equation):
-    """A translation moves the whole mass, the elastic force has no resultant, and (23) is solved."""
+    """Asserts that a translation moves the whole mass, that the elastic force has no resultant, and that (23) is solved."""
     for i in range(2):
         shift = [Q(0)] * scene.size
         for rod in scene.rods:
@@ -112,7 +112,7 @@ def demand(scene, equation):
 
 
 def square():
-    """One element with as many constraints as coordinates: there the printed Phi_q lambda has a value."""
+    """One element with as many constraints as coordinates, so that the printed Phi_q lambda is defined."""
     state = make("square", "", "", (Q(2), Q(1), Q(1, 2)), DOWN_46, straight(DOWN_46), material=RUBBER,
                  heat=("2d", 40), offset=scatter(5, 8, 32))
     element = Element(state)
@@ -188,14 +188,14 @@ TAGS = {
 
 
 def tags_of(id, described):
-    """What is there to go wrong."""
+    """Tags of a case."""
     supports = {key for support in described.get("scene", {}).get("supports", []) for key in support}
     found = {"pins": "scene" in described, "turned": id.endswith("-turned"), "square": id == "square"}
     return [tag for tag in TAGS if found.get(tag, tag in supports)]
 
 
 def sizes_of(equation, acceleration, multipliers, found):
-    """The size of the terms that are added up for each quantity, entry by entry."""
+    """Size of the terms that are added up for each quantity, entry by entry."""
     n, c = equation.m.nrows(), equation.Phi_q.nrows()
 
     def absolute(rows):
@@ -214,8 +214,8 @@ def sizes_of(equation, acceleration, multipliers, found):
     transposed = [list(column) for column in zip(*Phi_q)]
     force = times(transposed, equation.multipliers)
     others = plus(times(m, equation.q_ddot), equation.Q_e, equation.f)
-    # Rounding matrix and load of A x = b by one unit changes x by |A^-1| (|A| |x| + |b|); once in each elimination. What
-    # constraints hold at zero is rounded by what it would be without them.
+    # Rounding the matrix and the load of A x = b by one unit changes x by |A^-1| (|A| |x| + |b|), once in each elimination.
+    # Accelerations that the constraints hold at zero carry the rounding of the unconstrained ones.
     load = plus(equation.Q_e, equation.f)
     A = [row + column for row, column in zip(m, transposed)] + [row + [Q(0)] * c for row in Phi_q]
     inverse = absolute(equation.matrix().inv().tolist())

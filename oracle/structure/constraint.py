@@ -1,7 +1,7 @@
-"""The constraint functions Phi(q) of (23): pins and supports, each written as a function of q.
+"""The constraint functions Phi(q) of (23): pins and supports as functions of q.
 
-q may hold numbers or the variables of a polynomial ring; the matrix Phi_q is the derivative of the
-functions, found in such a ring.
+q holds numbers, or the variables of a polynomial ring. The matrix Phi_q is the derivative of the functions in such a
+ring.
 """
 
 from dataclasses import dataclass
@@ -14,36 +14,36 @@ AXES = ("x", "y")
 
 
 def vector(q, k):
-    """The nodal vector with number k in q."""
+    """The nodal vector with index k in q."""
     return q[2 * k:2 * k + 2]
 
 
 def dot(a, b):
-    """Scalar product; numbers of `a` on the left, as a ring's variables need it."""
+    """Scalar product. Numbers belong in `a`: a ring's variables must be on the right."""
     return sum(u * v for u, v in zip(a, b))
 
 
 @dataclass(frozen=True)
 class Pin:
-    """Two rods meet at a point."""
+    """A pin: two rods meet at a point."""
 
     point: str
     rods: tuple
     vectors: tuple
 
     def value(self, q):
-        """r of the second rod less r of the first."""
+        """r of the second rod minus r of the first."""
         first, second = (vector(q, k) for k in self.vectors)
         return [b - a for a, b in zip(first, second)]
 
     def rows(self):
-        """What each row says."""
+        """Description of each row."""
         return [f"pin {self.point}: {self.rods[1].name} - {self.rods[0].name}, {axis}" for axis in AXES]
 
 
 @dataclass(frozen=True)
 class Fix:
-    """A point is held in x or in y."""
+    """A support that holds a point in x or in y."""
 
     point: str
     vector: int
@@ -56,13 +56,13 @@ class Fix:
         return [vector(q, self.vector)[i] - self.place[i]]
 
     def rows(self):
-        """What the row says."""
+        """Description of the row."""
         return [f"fix {self.point}: {self.axis}"]
 
 
 @dataclass(frozen=True)
 class Slide:
-    """A point is free along a direction only."""
+    """A slide: a point moves only along a direction."""
 
     point: str
     vector: int
@@ -74,29 +74,29 @@ class Slide:
         return [dot(self.normal, [c - c_0 for c, c_0 in zip(vector(q, self.vector), self.place)])]
 
     def rows(self):
-        """What the row says."""
+        """Description of the row."""
         return [f"slide {self.point}: across"]
 
 
 @dataclass(frozen=True)
 class Clamp:
-    """The section of a rod keeps its direction at a point; its thickness is free."""
+    """A clamp: the section of a rod keeps its direction at a point; its thickness is free."""
 
     point: str
     rod: Rod
     vector: int
 
     def value(self, q):
-        """t_0 . r_y with the rod's initial direction."""
+        """t_0 . r_y, with t_0 the rod's initial direction."""
         return [dot(self.rod.t, vector(q, self.vector))]
 
     def rows(self):
-        """What the row says."""
+        """Description of the row."""
         return [f"clamp {self.point}: {self.rod.name}"]
 
 
 def constraints(scene):
-    """All constraints of a scene in the order of their rows: pins by point, then supports as listed."""
+    """All constraints of a scene in the order of their rows: pins by point, then supports in the scene's order."""
     found = []
     for point in sorted(scene.points):
         meeting = scene.points[point]
@@ -121,7 +121,7 @@ def values(scene, q):
 
 
 def derivative(scene):
-    """Phi_q by differentiation; that its entries are numbers shows the constraints to be linear in q."""
+    """Phi_q by differentiation. Its entries must be numbers: the constraints are linear in q."""
     names = [f"q{i}" for i in range(scene.size)]
     ring = fmpq_mpoly_ctx.get(names)
     rows = [[phi.derivative(name) for name in names] for phi in values(scene, list(ring.gens()))]

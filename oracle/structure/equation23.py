@@ -1,7 +1,7 @@
-"""Equation (23) in one state, exact: m q'' + Q_e + Phi_q^T lambda = f, Phi(q) = 0.
+"""Equation (23) in one state, exactly: m q'' + Q_e + Phi_q^T lambda = f, Phi(q) = 0.
 
-Q_e is what the paper writes k(dT) q. For a scene all of it is added up from single elements, whose mass,
-force and weight `element/element.py` derives from their energies.
+Q_e is k(dT) q in the paper. The terms of a scene are sums over its elements, whose mass, force and weight
+`element/element.py` derives from their energies.
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ ZERO = fmpq(0)
 
 @dataclass(frozen=True)
 class Equation23:
-    """The terms of (23), with a q'' and a lambda that need not solve it."""
+    """The terms of (23). q'' and lambda are arbitrary and need not solve it."""
 
     m: fmpq_mat
     Q_e: list
@@ -33,19 +33,19 @@ class Equation23:
         return entries(self.Phi_q.transpose() * column(self.multipliers))
 
     def constraint_force_printed(self):
-        """Phi_q lambda, as the paper prints it (E4); there are as many constraints as coordinates."""
+        """Phi_q lambda as printed (E4), for as many constraints as coordinates."""
         return entries(self.Phi_q * column(self.multipliers))
 
     def residual(self, force):
-        """m q'' + Q_e + force - f, where the force is that of the constraints in one form or the other."""
+        """m q'' + Q_e + force - f, with the constraint force in either form."""
         inertia = entries(self.m * column(self.q_ddot))
         return [sum(terms) - f for *terms, f in zip(inertia, self.Q_e, force, self.f)]
 
     def solution(self):
         """q'' and lambda from (23) and Phi'' = 0, which is Phi_q q'' = 0.
 
-        The constraints are linear in q and do not depend on time, so this holds at any velocity, and
-        whether or not q satisfies them.
+        The constraints are linear in q and do not depend on time. So this holds at any velocity, and also where q
+        violates them.
         """
         n, rows = self.m.nrows(), self.Phi_q.nrows()
         right = [f - Q for f, Q in zip(self.f, self.Q_e)] + [ZERO] * rows
@@ -53,7 +53,7 @@ class Equation23:
         return solution[:n], solution[n:]
 
     def matrix(self):
-        """The matrix of (23): m, Phi_q^T beside it, Phi_q below."""
+        """The matrix [[m, Phi_q^T], [Phi_q, 0]] of (23)."""
         n, rows = self.m.nrows(), self.Phi_q.nrows()
         matrix = fmpq_mat(n + rows, n + rows)
         for i in range(n):
@@ -65,7 +65,7 @@ class Equation23:
 
 
 def of_scene(scene, t, q, q_ddot, multipliers):
-    """(23) of a `Scene` at the time t."""
+    """(23) of a `Scene` at time t."""
     elements = elements_of(scene, t, q)
     return Equation23(
         m=mass(scene, elements),
@@ -80,7 +80,7 @@ def of_scene(scene, t, q, q_ddot, multipliers):
 
 
 def elements_of(scene, t, q):
-    """Every element, with the number of its first coordinate in q."""
+    """All elements, each with the index of its first coordinate in q."""
     initial, found = scene.straight(), []
     for rod in scene.rods:
         for k in range(rod.elements):
@@ -96,7 +96,7 @@ def elements_of(scene, t, q):
 
 
 def mass(scene, elements):
-    """m, which does not couple the rods."""
+    """m; the rods are not coupled in it."""
     m = fmpq_mat(scene.size, scene.size)
     for first, element in elements:
         for i in range(DOF):
@@ -106,7 +106,7 @@ def mass(scene, elements):
 
 
 def total(scene, parts):
-    """The vector that is the sum of parts, each given with the number of its first coordinate."""
+    """Sum of parts, each given with the index of its first coordinate."""
     vector = [ZERO] * scene.size
     for first, part in parts:
         for i, entry in enumerate(part):

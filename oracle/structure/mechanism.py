@@ -1,15 +1,15 @@
-"""The deployable structure of n scissors with rigid rods: one coordinate, whose motion is a quadrature.
+"""The deployable structure of n scissors with rigid rods: one coordinate, with its motion by quadrature.
 
 a_k = ((k - 1) L cos theta, L sin theta) and b_k = ((k - 1) L cos theta, 0), k = 1 ... n + 1; the rods are
 a_k - b_(k+1) and b_k - a_(k+1), pinned at their middles and at coinciding ends. b_1 is held at the origin,
-a_1 slides on x = 0 and carries the force F in -y; there is no gravity. The kinetic energy is
-M(theta) theta'^2/2, from rest at theta_0 it is the work of the force:
+a_1 slides on x = 0 and carries the force F in -y; there is no gravity. The kinetic energy M(theta) theta'^2/2 is the
+work of the force since the start at rest at theta_0:
 
     M(theta) theta'^2/2 = F L (sin theta_0 - sin theta),
 
-which gives the time as an integral over theta. It is singular at the start, like 1/sqrt(theta_0 - theta), and
-regular in u with theta = theta_0 - u^2. At theta = 0 all rods lie on one line: the mechanism is flat, and
-singular, as it could go on in more than one way. Samples end before.
+which gives the time as an integral over theta. The integrand is singular at the start, like 1/sqrt(theta_0 - theta),
+and regular in u with theta = theta_0 - u^2. At theta = 0 all rods lie on one line and the motion could continue in more
+than one way; samples end before that.
 """
 
 from functools import cache
@@ -36,10 +36,10 @@ def place(name, k):
 
 @cache
 def inertia(n):
-    """M(theta), from the velocities of the rods' points.
+    """M(theta), from the velocities of the points of the rods.
 
-    A rod's axis runs from one end to the other, s = 0 ... 1, and its mass is spread evenly over its length
-    and its height h, like that of the elastic rod: h adds the inertia m h^2/12 of a section that turns.
+    A rod's axis runs from one end to the other, s = 0 ... 1. Its mass is uniform over its length and its height h, like
+    that of the elastic rod: h adds the rotary inertia m h^2/12.
     """
     s = sympy.symbols("s")
     energy = 0
@@ -54,7 +54,7 @@ def inertia(n):
 
 
 class Mechanism:
-    """n scissors with the parameters above."""
+    """n scissors with the parameters of `PARAMETERS`."""
 
     def __init__(self, n):
         self.n = n
@@ -67,7 +67,7 @@ class Mechanism:
         self.tip, self.tip_slope = (sympy.lambdify(theta, list(f), "mpmath") for f in (tip, tip.diff(theta)))
 
     def drop(self, u):
-        """(sin theta_0 - sin theta)/u^2, without the difference of nearly equal numbers."""
+        """(sin theta_0 - sin theta)/u^2, without cancellation."""
         return 2 * mp.cos(self.start - u**2 / 2) * mp.sin(u**2 / 2) / u**2 if u else mp.cos(self.start)
 
     def time_rate(self, u):
@@ -76,16 +76,16 @@ class Mechanism:
         return 2 * mp.sqrt(M / (2 * self.force * self.length * self.drop(u)))
 
     def time(self, u, earlier=(0, 0)):
-        """t at u, from an earlier pair (u, t)."""
+        """t at u, integrated from an earlier pair (u, t)."""
         return earlier[1] + mp.quad(self.time_rate, [earlier[0], u])
 
     def rate(self, angle):
-        """theta' by the energy."""
+        """theta' from the energy."""
         u = mp.sqrt(self.start - angle)
         return -u * mp.sqrt(2 * self.force * self.length * self.drop(u) / self.M(angle))
 
     def angles(self, times):
-        """theta at the times, by Newton's method on t(u) from sample to sample."""
+        """theta at the given times, by Newton's method for t(u), sample by sample."""
         pair, found = (mpf(0), mpf(0)), []
         for t in times:
             u = pair[0] + (t - pair[1]) / self.time_rate(pair[0])
@@ -95,13 +95,13 @@ class Mechanism:
                 if abs(change) < mpf(10) ** (3 - DIGITS):
                     break
             else:
-                raise ArithmeticError(f"Newton's method stopped short of t = {t} s")
+                raise ArithmeticError(f"Newton's method does not converge at t = {t} s")
             pair = (u, t)
             found.append(self.start - u**2)
         return found
 
     def integrated(self, times):
-        """theta and theta' by Lagrange's equation, M theta'' + M' theta'^2/2 = -F L cos theta."""
+        """theta and theta' from Lagrange's equation, M theta'' + M' theta'^2/2 = -F L cos theta."""
 
         def slope(_, state):
             angle, rate = state

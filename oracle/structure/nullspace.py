@@ -1,12 +1,12 @@
-"""The structure of a scene as a system without constraints: q = q_0 + B z, motion from the energies alone.
+"""The structure of a scene in free coordinates, q = q_0 + B z: motion from the energies alone.
 
-The columns of B span the null space of Phi_q, so every z satisfies the constraints, which are linear in q and
-hold at q_0, and the constraint forces do no work in any z'. With the kinetic energy z'^T (B^T m B) z'/2, the
-strain energy U(q, t), which depends on time through the heat, and the work of weight and point forces,
+The columns of B span the null space of Phi_q. The constraints are linear in q and hold at q_0, so that every z
+satisfies them, and their forces do no work in any z'. With the kinetic energy z'^T (B^T m B) z'/2, the strain energy
+U(q, t), which depends on time through the heat, and the work of weight and point forces,
 
     B^T m B z'' = B^T (f(t) - dU/dq).
 
-The multipliers come back afterwards from what is missing in (23): Phi_q^T lambda = f - dU/dq - m q''.
+The multipliers follow afterwards from (23): Phi_q^T lambda = f - dU/dq - m q''.
 """
 
 from functools import cached_property
@@ -37,7 +37,7 @@ class Structure:
         beams = [Beam(rod.elements, *map(to_sympy, (rod.L, rod.h, rod.w, rod.rho))) for rod in scene.rods]
         points = [len(beam.volumes) for beam in beams]
         self.gradient = np.zeros((4, sum(points), n))
-        # The squared stress-free stretches are 1 + heated @ dT, with the temperature change of each rod.
+        # Squared stress-free stretches are 1 + heated @ dT; dT has one entry per rod.
         self.heated = np.zeros((2, sum(points), len(beams)))
         for k, (rod, beam) in enumerate(zip(scene.rods, beams)):
             own = slice(2 * rod.first, 2 * (rod.first + rod.vectors))
@@ -50,7 +50,7 @@ class Structure:
         self.gradient = self.gradient.reshape(-1, n)
 
         def at_points(value):
-            """A property of the rods, at each Gauss point."""
+            """A property of the rods at all Gauss points."""
             return np.repeat([nearest(value(rod)) for rod in scene.rods], points)
 
         nu = at_points(lambda rod: rod.nu)
@@ -67,10 +67,10 @@ class Structure:
             generalized[first:first + 2] = floats(force)
             self.forces.append((generalized, floats(history)))
 
-    # The energies and what derives from them, at coordinates q.
+    # Energies and forces at coordinates q.
 
     def arguments(self, t, q):
-        """J and C_T at the Gauss points, as the functions of `stress_and_energy` take them."""
+        """J and C_T at the Gauss points, the arguments of the functions of `stress_and_energy`."""
         C_T = 1 + self.heated @ [piecewise(history, t) for history in self.histories]
         return (*(self.gradient @ q).reshape(4, -1), *C_T, *self.poisson)
 
@@ -83,7 +83,7 @@ class Structure:
         return self.weight + sum(force * piecewise(history, t) for force, history in self.forces)
 
     def energies(self, t, q, v):
-        """Kinetic, strain and potential energy; the potential is that of the weight, zero at height zero."""
+        """Kinetic, strain and potential energy; the potential of the weight is zero at height zero."""
         strain = self.volumes @ self.density(*self.arguments(t, q))
         return np.array([v @ self.mass @ v / 2, strain, -self.weight @ q])
 
@@ -91,11 +91,11 @@ class Structure:
 
     @cached_property
     def free(self):
-        """What the motion in z needs: matrices that are products with B."""
+        """Matrices of the motion in z."""
         return FreeCoordinates(self)
 
     def strained(self, t, z):
-        """J and C_T at q_0 + B z, as `arguments`, and the factors of the point forces."""
+        """J and C_T at q_0 + B z, as in `arguments`, and the factors of the point forces."""
         C_T = 1 + self.heated @ [piecewise(history, t) for history in self.histories]
         J = (self.free.J_0 + self.free.gradient @ z).reshape(4, -1)
         return (*J, *C_T, *self.poisson), [piecewise(history, t) for _, history in self.forces]
@@ -105,7 +105,7 @@ class Structure:
         return self.free.acceleration(*self.strained(t, z), self.stress)
 
     def rates(self, t, z, v):
-        """z''; dU/d(dT) of each rod, whose product with dT' is the power of heating; power of the forces."""
+        """z''; dU/d(dT) of each rod (times dT' the power of heating); power of the point forces."""
         arguments, factors = self.strained(t, z)
         along, across = self.heating(*arguments)
         heating = (self.volumes * along) @ self.heated[0] + (self.volumes * across) @ self.heated[1]
@@ -115,7 +115,7 @@ class Structure:
     # Constraint forces.
 
     def multipliers(self, t, q, acceleration):
-        """lambda, from what is missing in (23); the rest of that equation must vanish."""
+        """lambda from (23), whose residual must vanish."""
         missing = self.applied_force(t) - self.elastic_force(t, q) - self.mass @ acceleration
         found = np.linalg.solve(self.Phi_q @ self.Phi_q.T, self.Phi_q @ missing)
         rest = missing - self.Phi_q.T @ found
@@ -123,7 +123,7 @@ class Structure:
         return found
 
     def constraint_forces(self, q, multipliers):
-        """Forces of the supports by point, moments of clamps by point, and at pins the force on each rod."""
+        """Forces of supports by point, moments of clamps by point, and forces of pins by point and rod."""
         reactions, moments, pins, row = {}, {}, {}, 0
         for constraint in constraints(self.scene):
             point, count = constraint.point, len(constraint.rows())
@@ -164,7 +164,7 @@ class FreeCoordinates:
         self.by_forces = [scipy.linalg.cho_solve(inverse, force) for force in self.forces]
 
     def acceleration(self, arguments, factors, stress):
-        """z'' by stress, weight and point forces."""
+        """z'' from stress, weight and point forces."""
         result = self.by_stress @ np.concatenate(stress(*arguments)) + self.by_weight
         for by_force, factor in zip(self.by_forces, factors):
             result += by_force * factor

@@ -1,7 +1,7 @@
-"""A scene file read exactly: rods and their coordinates in q, what acts on them, and heat.
+"""A scene file read exactly: rods and their coordinates in q, forces, supports and heat.
 
-The numbers of a scene are the decimals as written, hence rational. Only the keys that the scenes of
-`scenes.py` use are read; each of those scenes says everything, so no default is needed here.
+The numbers of a scene are decimals, hence rational. Only the keys in the scenes of `scenes.py` are read. These scenes
+leave nothing out, so that no defaults are needed.
 """
 
 from fractions import Fraction
@@ -24,7 +24,7 @@ def exact(numbers):
 
 
 def direction(vector):
-    """The unit vector of a rational vector whose length is rational, and that length."""
+    """Unit vector and length of a rational vector whose length is rational."""
     square = sum(c * c for c in vector)
     length = fmpq(isqrt(int(square.p)), isqrt(int(square.q)))
     assert length**2 == square, f"the length of {vector} is not rational"
@@ -32,7 +32,7 @@ def direction(vector):
 
 
 def piecewise(history, t):
-    """A history at time t: linear between its entries, constant outside them."""
+    """Value of a history at time t: linear between its entries, constant outside."""
     if t <= history[0][0]:
         return history[0][1]
     for (start, a), (end, b) in pairwise(history):
@@ -42,7 +42,7 @@ def piecewise(history, t):
 
 
 class Rod:
-    """One rod. `first` is the number of its first nodal vector among those of the whole structure."""
+    """One rod. `first` is the index of its first nodal vector in the structure."""
 
     def __init__(self, scene, entry, first):
         own = {key: entry.get(key, scene.get(key)) for key in ("material", "section", "temperature")}
@@ -59,17 +59,17 @@ class Rod:
         self.vectors = 5 * self.elements + 2  # neighbours share r and r_y at their common node
         middle = 5 * (self.elements // 2)
         odd = self.elements % 2 == 1
-        # The vectors r and r_y at the two ends and, if other rods are pinned there, at the middle: that
-        # is the node j of (4) inside an element, or the node between two.
+        # Indices of r and r_y at both ends and, for a pivot, at the middle: node j of (4) in the middle element, or the
+        # node between two elements.
         self.nodes = {entry["from"]: (0, 1), entry["to"]: (5 * self.elements, 5 * self.elements + 1)}
         if "pivot" in entry:
             self.nodes[entry["pivot"]] = (middle + 2, middle + 4) if odd else (middle, middle + 1)
 
     def straight(self):
-        """The rod's nodal vectors at first: on its line, without strain."""
+        """Initial nodal vectors: straight and unstrained."""
 
         def at(k):
-            """The axis point k half elements from the start."""
+            """The axis point at a distance of k half elements from the start."""
             return [a + c * self.l * k / 2 for a, c in zip(self.start, self.t)]
 
         vectors = [at(0), self.n]
@@ -88,7 +88,7 @@ class Scene:
             first += self.rods[-1].vectors
         self.size = 2 * first
         self.gravity = exact(document["gravity"])
-        # Which rods have a point, with the numbers of r and r_y there; and where the point is at first.
+        # For each point: the rods that have it with the indices of r and r_y there, and its initial place.
         self.points = {}
         for rod in self.rods:
             for point, node in rod.nodes.items():
@@ -102,5 +102,5 @@ class Scene:
         ]
 
     def straight(self):
-        """q at first, rod by rod."""
+        """Initial q, rod by rod."""
         return [component for rod in self.rods for component in rod.straight()]

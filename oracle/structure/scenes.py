@@ -1,4 +1,4 @@
-"""The scenes of `fixtures/structure.json`. Directions are Pythagorean, so that lengths are rational."""
+"""The scenes of `fixtures/structure.json`. Directions come from Pythagorean triples, so that lengths are rational."""
 
 SOFT = {"E": 2e8, "nu": 0.0, "rho": 7750.0, "alpha": 2.85e-5}
 LIGHT = {"E": 1.5e8, "nu": 0.0, "rho": 2750.0, "alpha": 4e-5}
@@ -17,7 +17,7 @@ PUSH = [[0.0, 0.0], [0.05, 1.0], [0.35, -0.5]]
 
 
 def scene(title, *, material, section, temperature, points, rods, supports, forces, probes=()):
-    """A scene with multipliers, gravity and half a second in rows of 0.025 s."""
+    """A scene of 0.5 s with multipliers and gravity, output every 0.025 s."""
     return {
         "schema": "ancf-scene/1",
         "title": title,
@@ -74,18 +74,18 @@ def knee(elements, title, probes=()):
 
 
 def exact_scissor():
-    """One and two elements: the pivot is the node j of (4) in one rod, a node between two in the other."""
+    """Scissor of rods with one and two elements: the pivot is node j of (4) in one rod, a node between elements in the other."""
     slide = [{"point": "d", "slide": [4.0, 3.0]}]
     return scissor((1, 2), slide, "two rods pinned at their middles, one end on an inclined slide")
 
 
 def exact_knee():
-    """Two elements and one."""
+    """Knee of rods with two elements and one."""
     return knee((2, 1), "a clamped rod pinned to one on a slide, nu not zero")
 
 
 def probes(points, supports, pins):
-    """Position and velocity of every point, every reaction, and the force on every rod at every pin."""
+    """Probes for position and velocity of every point, every reaction, and the force on every rod at every pin."""
     found = [
         {"name": point, "point": point,
          "of": ["position", "velocity"] + ["reaction"] * (point in supports)} for point in points
@@ -97,7 +97,7 @@ def probes(points, supports, pins):
 
 
 def moving_scissor(elements):
-    """Hinged at a, one end on a slide: the two rods fold together like a pair of scissors."""
+    """Scissors hinged at a, with one end on a slide: the two rods fold together."""
     supports = [{"point": "a", "fix": ["x", "y"]}, {"point": "d", "slide": [-3.0, 4.0]}]
     return scissor(elements, supports, "scissors with a hinge and a slide, each rod with its own heat",
                    probes("abcdm", "ad", {"m": ("one", "two")}))

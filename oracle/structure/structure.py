@@ -1,4 +1,4 @@
-"""`fixtures/structure.json`: rods pinned to one another. Equation (23), motions, and the rigid limit."""
+"""`fixtures/structure.json`: rods pinned to one another; terms of (23), motions, rigid limit."""
 
 import platform
 from importlib.metadata import version
@@ -60,7 +60,7 @@ CONVENTIONS = {
 
 
 def generate():
-    """The whole fixture, derived afresh."""
+    """The fixture."""
     return {
         "schema": "ancf-structure/1",
         "title": "Rods pinned to one another: the terms of equation (23), motions, and the rigid mechanism",
@@ -80,7 +80,7 @@ def generate():
 
 
 def differences(stored, fresh):
-    """Every difference but the tools' versions and what rounding explains in integrated numbers."""
+    """Differences, except in the versions of the tools and in digits of integrated numbers that rounding explains."""
     tools = {"python", *TOOLS}
     kept = {tool: version for tool, version in stored.get("generator", {}).items() if tool in tools}
     fresh = fresh | {"generator": fresh["generator"] | kept}

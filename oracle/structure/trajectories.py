@@ -1,9 +1,9 @@
-"""The motion of structures from rest, their heat and forces changing in time, and what holds them.
+"""Motions of structures from rest, with heat and forces that change in time, and their constraint forces.
 
-Coordinates are free (`nullspace.py`), so the constraints hold by construction and no multiplier is integrated;
-the constraint forces come back from (23). Two integrators run every scene. The energies, the work of heating
-and that of the point forces are followed beside the motion; their balance shows that force, energy and mass
-belong together. Reactions and loads must bring the momentum that the masses gain, linear and angular.
+The coordinates are free (`nullspace.py`): the constraints hold by construction, no multiplier is integrated, and the
+constraint forces follow from (23). Two integrators run every scene. The energies, the work of heating and the work of
+the point forces are integrated with the motion; their balance shows that force, energy and mass are consistent.
+Reactions and loads must equal the rates of linear and angular momentum.
 """
 
 from concurrent.futures import ProcessPoolExecutor
@@ -27,39 +27,39 @@ SCENES = {
 }
 
 RTOL = 1e-9
-# SciPy's guess after a sample may be a step so long that numbers overflow before it is refused.
+# SciPy may guess a first step after a sample so long that numbers overflow before it is rejected.
 FIRST_STEP = 1e-6
 
 SAMPLES = 21
 INTERVAL = 0.025
 
-# Integrated beside the motion: dU/d(dT) of each rod and the power of the forces, of order 1e-2 and 10.
+# For dU/d(dT) of each rod and the power of the forces, integrated with the motion; of order 1e-2 and 10.
 ATOL_WORK = 1e-10
 
-# Steps of 5e-5 s, against highest frequencies of 3.3e4 rad/s (thickness vibration), split up to eight times.
+# Steps per interval: 5e-5 s for highest frequencies of 3.3e4 rad/s (thickness vibration), each split up to eight times.
 STEPS = 500
 
-# An oracle worse than this (m) is not written.
+# Largest distance between the two integrators (m) that may be written.
 WORST = 1e-9
 
-# What another machine's rounding may add to the distance between two integrators: m, m/s, N and N m, J.
+# Allowance for the rounding of another machine, in addition to the distance between the integrators: m, m/s, N and N m, J.
 ROUNDING = {"position": 1e-11, "velocity": 1e-8, "force": 1e-4, "energy": 1e-9}
 
 
 def ends():
-    """The samples' times, which are the ends of the integrators' intervals."""
+    """Times of the samples, which are the ends of the integrators' intervals."""
     return [k * INTERVAL for k in range(SAMPLES)]
 
 
 def demand_kinks_at_samples(scene):
-    """Histories may only have kinks where the integrators stop."""
+    """Asserts that histories have corners only where the integrators stop."""
     histories = [rod.history for rod in scene.rods] + [history for *_, history in scene.forces]
     step = exact(INTERVAL)
     assert all((t / step).q == 1 for history in histories for t, _ in history)
 
 
 def demand_exact_terms(scene, structure):
-    """Mass, forces, accelerations and multipliers against the exact ones of (23) at a heated state."""
+    """Asserts mass, forces, accelerations and multipliers against the exact terms of (23) in a heated state."""
     t, n = exact(0.15), scene.size
     disturbed = [a + b for a, b in zip(scene.straight(), numbers(1, n, 8, 1024))]
     terms = equation23.of_scene(scene, t, disturbed, [exact(0)] * n, [])
@@ -74,7 +74,7 @@ def demand_exact_terms(scene, structure):
 
 
 def demand_close(value, term):
-    """Relative to the largest entry."""
+    """Asserts agreement relative to the largest entry."""
     assert abs(value - floats(term)).max() < 1e-11 * abs(value).max()
 
 
@@ -88,7 +88,7 @@ def prepare(name):
 
 
 def stored_samples(name):
-    """One run by DOP853, with the work of heating and forces."""
+    """One run by DOP853, with the work of heating and of the point forces."""
     scene, structure = prepare(name)
     n, rods = structure.B.shape[1], len(scene.rods)
 
@@ -100,14 +100,14 @@ def stored_samples(name):
     start = np.zeros(2 * n + rods + 1)
     states = np.array(integrators.dop853(rate, start, RTOL, atol, ends(), FIRST_STEP))
     found = samples(structure, states[:, :n], states[:, n:2 * n])
-    # dT is linear in an interval: the work of heating is its change times the mean of dU/d(dT).
+    # dT is linear in an interval: the work of heating is the change of dT times the mean of dU/d(dT).
     dT = np.array([[piecewise(history, t) for history in structure.histories] for t in ends()])
     heating = (np.diff(dT, axis=0) * np.diff(states[:, 2 * n:-1], axis=0)).sum(1) / INTERVAL
     return found, states[:, -1] + np.append(0.0, np.cumsum(heating))
 
 
 def second_samples(name):
-    """The same run by extrapolated Verlet steps, without the work."""
+    """One run by extrapolated Verlet steps, without the work."""
     _, structure = prepare(name)
     start = np.zeros(structure.B.shape[1])
     states = integrators.extrapolated_verlet(structure.acceleration, start, ends(), STEPS)
@@ -115,7 +115,7 @@ def second_samples(name):
 
 
 def samples(structure, z, v):
-    """Everything stored but the work, as nested tables of arrays with an entry a sample."""
+    """All stored values except the work, as nested tables of arrays with one entry per sample."""
     at_times = []
     for t, *free in zip(ends(), z, v):
         acceleration = structure.B @ structure.acceleration(t, free[0])
@@ -133,14 +133,14 @@ def samples(structure, z, v):
 
 
 def transposed(tables):
-    """A list of equal tables as one table of arrays."""
+    """A list of tables with equal keys as one table of arrays."""
     if isinstance(tables[0], dict):
         return {key: transposed([table[key] for table in tables]) for key in tables[0]}
     return np.array(tables)
 
 
 def demand_momentum(structure, t, q, acceleration, reactions, moments):
-    """Rates of linear and angular momentum, from reactions, weight and point forces alone."""
+    """Asserts the rates of linear and angular momentum against reactions, weight and point forces."""
     unbalanced = structure.mass @ acceleration - structure.applied_force(t)
     scale = max(1, abs(structure.elastic_force(t, q)).max())
     of_points = [
@@ -159,7 +159,7 @@ def cross(a, b):
 
 
 def distance(a, b):
-    """The largest difference of two nested tables of arrays."""
+    """Largest difference of two nested tables of arrays."""
     if isinstance(a, dict):
         return max((distance(a[key], b[key]) for key in a), default=0.0)
     return float(abs(a - b).max())
@@ -193,7 +193,7 @@ def run(name, values, work, second):
 
 
 def generate():
-    """All runs, the longest first."""
+    """All runs, in the order of their duration, the longest first."""
     with ProcessPoolExecutor(WORKERS) as pool:
         first = {name: pool.submit(stored_samples, name) for name in SCENES}
         second = {name: pool.submit(second_samples, name) for name in SCENES}
@@ -201,7 +201,7 @@ def generate():
 
 
 def settled_runs(stored, fresh):
-    """The stored document, its integrated numbers replaced by the fresh ones where they agree."""
+    """The stored document with its integrated numbers replaced by the fresh ones where they agree."""
     runs = stored.get("trajectories")
     if type(runs) is not list or len(runs) != len(fresh["trajectories"]):
         return stored
