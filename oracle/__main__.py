@@ -13,7 +13,7 @@ from .proofs import PROOFS
 FIXTURES = ("equations", "cable", "pendulum", "structure", "continuum", "references", "invalid")
 # Pages for readers; their formulas are asserted as the page is written.
 PAGES = ("derivation",)
-# Fixtures of a program that few have installed: run only when named; otherwise checked as far as their `check` goes.
+# Fixtures of a program that few have installed: generated only by name; otherwise only their `check` is run.
 WITNESSES = ("calculix",)
 # Module that generates and compares each of them.
 MODULES = {

@@ -56,7 +56,7 @@ def tangent_at_rest():
 
 
 def membrane():
-    """Slope u' of the cubic u of least energy beside v'^2/2, with v' = beta xi^2/2."""
+    """Slope u' of the cubic u that minimises the integral of (u' + v'^2/2)^2, with v' = beta xi^2/2."""
     length, beta, xi = LENGTH.meaning, BETA.meaning, XI.meaning
     slopes = sympy.symbols("u_0:3")
     slope = sum(u * xi**k for k, u in enumerate(slopes))
