@@ -1,6 +1,6 @@
-"""The oracle: what the paper's equations and motions are, from energies, fields and constraint functions."""
+"""The oracle: values of the paper's equations and motions, from energies, displacement fields and constraint functions."""
 
 import os
 
-# The matrices are small: threads would cost more than they bring. Has to be said before numpy is loaded.
+# Threads cost more than they save on matrices this small. The variable must be set before numpy is imported.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

@@ -1,7 +1,7 @@
 //! The pendulum of Table 1: against the dynamic oracle, observed orders, energy, mesh.
 //!
 //! Source: Peng et al. (2018), Section 3 and Table 1. Goal: every method, model and start gives the motion that follows
-//! from the strain energy alone (`oracle/pendulum.py`).
+//! from the strain energy alone (`oracle/motion/pendulum.py`).
 //!
 //! ```text
 //!   o────────────── rod, L = 1 m ──────────────a     gravity 9.8 m/s² downwards, at rest at t = 0

@@ -1,16 +1,16 @@
-"""Real numbers enclosed in balls: their decimals, and the f64 nearest to them, decided by the enclosure."""
+"""Real numbers enclosed in balls: their decimals, and the nearest f64 that the enclosure decides."""
 
 from flint import arb, arb_poly, ctx, fmpq, fmpz
 
-from .. import fixture
+from ..fixtures import fixture
 
-# Bits of every ball, and decimals that are stored. Radii near 1e-150 leave no doubt about either.
+# Precision of every ball in bits, and stored digits. Radii near 1e-150 decide both digits and f64.
 ctx.prec = 512
 DIGITS = 40
 
 
 def is_exact(values):
-    """Whether nested lists hold rational numbers only."""
+    """Whether nested lists hold only rational numbers."""
     if isinstance(values, (list, tuple)):
         return all(map(is_exact, values))
     return not isinstance(values, arb)
@@ -22,28 +22,28 @@ def at(polynomial, place):
 
 
 def decimal(ball):
-    """The number to `DIGITS` significant digits, at most one unit of the last digit off."""
-    assert ball.rel_accuracy_bits() > 300, f"a ball too wide for its digits: {ball}"
+    """Text with `DIGITS` significant digits; the error is at most one unit of the last digit."""
+    assert ball.rel_accuracy_bits() > 300, f"the ball is too wide for {DIGITS} digits: {ball}"
     return ball.str(DIGITS, radius=False)
 
 
 def nearest(value):
-    """The f64 nearest to a rational number or to all numbers in a ball."""
+    """The f64 nearest to a rational number, or to every number in a ball."""
     if not isinstance(value, arb):
         return fixture.nearest(value)
     low, high = (fixture.nearest(rational(end)) for end in (value.lower(), value.upper()))
-    assert low == high, f"a ball that does not decide its f64: {value}"
+    assert low == high, f"the ball does not decide its nearest f64: {value}"
     return low
 
 
 def rational(exact):
-    """The rational number that a ball without radius is."""
+    """The rational value of a ball of radius zero."""
     mantissa, exponent = map(int, exact.man_exp())
     return fmpq(fmpz(mantissa)) * fmpq(2) ** exponent
 
 
 def agree(a, b, size=0):
-    """Whether two numbers can be the same: rational ones are, balls meet and are tiny beside them or `size`."""
+    """Whether two numbers agree. Rational numbers are equal; balls overlap and are tiny relative to the numbers or to `size`."""
     if is_exact([a, b]):
         return a == b
     a, b = arb(a), arb(b)

@@ -1,9 +1,9 @@
-"""One cable element of exact numbers: cubic Hermite axis, axial strain, material curvature, Gauss sums.
+"""One cable element in exact numbers: cubic Hermite axis, axial strain, material curvature, Gauss sums.
 
-The element has no section: after Berzeri and Shabana 2000 its axis r(x) is the cubic through positions and
-slopes at both ends, after Gerstmayr and Irschik 2008 its energy that of the stretch of the axis and of its
-curvature. Everything but the root in |r_x| and the Gauss points is rational. Where the element is straight
-and evenly stretched the root is rational too, and Gauss sums are integrals of polynomials: all is exact.
+The axis r(x) is the cubic through positions and slopes at both ends (Berzeri and Shabana 2000). The energy is that of
+the axial strain and of the material curvature (Gerstmayr and Irschik 2008). Only the root in |r_x| and the Gauss points
+are irrational. In a straight, evenly stretched element the root is rational and the Gauss sums are integrals of
+polynomials, so that all values are exact.
 """
 
 from functools import cache, cached_property
@@ -12,13 +12,13 @@ from math import prod
 import sympy
 from flint import arb, fmpq, fmpq_mat, fmpq_poly
 
-from ..fixture import from_sympy
+from ..fixtures.fixture import from_sympy
 from .ball import at
 
 DOF = 8
 PLANE = range(2)
 
-# Points of the Gauss rules of the two energies, which are part of the element's definition.
+# Numbers of Gauss points of the two energies; they belong to the definition of the element.
 AXIAL_POINTS, BENDING_POINTS = 5, 3
 
 # The strains as functions of the slope g = r_x, of c = r_xx and of the thermal strain a.
@@ -38,7 +38,7 @@ def derivatives(strain):
 
 
 def evaluate(expression, values, root):
-    """An expression of numbers, symbols, sums, products and powers of halves; `root` takes square roots."""
+    """Value of an expression of sums, products and half-integer powers; `root` computes square roots."""
     if expression.is_Rational:
         return from_sympy(expression)
     if expression.is_Symbol:
@@ -53,20 +53,20 @@ def evaluate(expression, values, root):
 
 
 def power(base, exponent):
-    """A whole power by multiplication, as `**` has no value for a ball around zero."""
+    """An integer power by multiplication; `**` has no value for a ball that contains zero."""
     product = prod([base] * abs(exponent))
     return product if exponent >= 0 else 1 / product
 
 
 def evaluate_each(expressions, *context):
-    """The same for nested lists and tuples of expressions."""
+    """Values of nested lists and tuples of expressions."""
     if isinstance(expressions, (list, tuple)):
         return [evaluate_each(expression, *context) for expression in expressions]
     return evaluate(expressions, *context)
 
 
 def rational_root(value):
-    """The square root of a rational number that has a rational one, or None."""
+    """The square root of a rational number, or None if it is irrational."""
     parts = [int(part) for part in (value.p, value.q)]
     roots = [int(sympy.integer_nthroot(part, 2)[0]) for part in parts]
     return fmpq(*roots) if [root**2 for root in roots] == parts else None
@@ -80,7 +80,7 @@ def shape_functions(length):
         [function(place) for function in functions]
         for place in (fmpq(0), length) for functions in (powers, [power.derivative() for power in powers])
     ])
-    # Column k has the coefficients that answer the k-th nodal value with one, the others with zero.
+    # Column k holds the coefficients of the cubic whose k-th nodal value is one and whose others are zero.
     inverse = conditions.inv()
     return [fmpq_poly([inverse[n, k] for n in range(4)]) for k in range(4)]
 
@@ -94,7 +94,7 @@ def gauss(points, length):
 
 
 class Element:
-    """Everything that the fixture has of one cable element in one `State`."""
+    """Quantities of one cable element in one `State`."""
 
     def __init__(self, state):
         self.state = state
@@ -108,7 +108,7 @@ class Element:
 
     @staticmethod
     def field(shapes, e):
-        """Both components of a sum of shape functions, or of their derivatives, times nodal vectors."""
+        """Components of the sum of shape functions, or of their derivatives, times nodal vectors."""
         return [sum((S * q for S, q in zip(shapes, e[i::2])), fmpq_poly()) for i in PLANE]
 
     @cached_property
@@ -123,7 +123,7 @@ class Element:
 
     @cached_property
     def is_even(self):
-        """Whether r_x is one vector of rational length all along the axis."""
+        """Whether r_x is constant along the axis and of rational length."""
         return not any(self.bend) and rational_root(sum(g(0) ** 2 for g in self.slope)) is not None
 
     def strain(self, expression, place):
@@ -159,7 +159,7 @@ class Element:
         weight = [self.state.rho * self.area * g for g in self.state.gravity]
         return [weight[i] * self.integral(S) for S in self.shapes for i in PLANE]
 
-    # Energy and what follows from it.
+    # Energy and its derivatives.
 
     @cached_property
     def parts(self):
@@ -168,16 +168,16 @@ class Element:
         for stiffness, strain, points in (
             (self.EA, EPSILON, AXIAL_POINTS), (self.EI, KAPPA, BENDING_POINTS),
         ):
-            # All along an even element the derivatives are the same: a single place stands for every one.
+            # In an even element the derivatives do not depend on x, so that one place suffices.
             rule = [(None, fmpq(0))] if self.is_even else gauss(points, self.state.l)
             parts.append((stiffness, [(w, x, self.strain(derivatives(strain), x)) for w, x in rule]))
         return parts
 
     def gauss_sum(self, pick, polynomial):
-        """The sum over both energies and their points of weight, picked derivative and polynomial.
+        """Sum over both energies and their Gauss points of weight, picked derivative and polynomial.
 
-        For an even element the polynomial, of degree four at most (EA) and two (EI), is integrated: the
-        rules are exact for it.
+        In an even element the polynomial has degree four at most (EA), or two (EI). It is integrated
+        instead, as the rules are exact for it.
         """
         def weighted(weight, place):
             return self.integral(polynomial) if weight is None else weight * at(polynomial, place)
@@ -187,7 +187,7 @@ class Element:
 
     @cached_property
     def rates(self):
-        """The derivatives of (g, c) with respect to e: rows of (number of the variable, polynomial)."""
+        """Derivatives of (g, c) with respect to e: rows of (index of the variable, polynomial)."""
         return [[(i, self.shapes_x[k]), (2 + i, self.shapes_xx[k])] for k in range(4) for i in PLANE]
 
     @cached_property
@@ -208,6 +208,6 @@ class Element:
 
     @cached_property
     def acceleration(self):
-        """The nodal accelerations that solve M e'' = Q_w - Q_e."""
+        """Nodal accelerations that solve M e'' = Q_w - Q_e."""
         load = [w - Q for w, Q in zip(self.gravity_force, self.force)]
         return [sum(m * f for m, f in zip(row, load)) for row in self.mass.inv().tolist()]

@@ -1,7 +1,7 @@
-"""What must hold of every cable state, by ways that share nothing with `element.py`: asserted before storing.
+"""Identities of every cable state, computed without `element.py`; asserted before a value is stored.
 
-The second way to the energy: the axis in Bezier form, the textbook's closed Gauss points, and U along a line
-e + t d as a truncated power series in t, whose coefficients are U, Q_e . d and d . K d / 2.
+The energy is computed a second time: axis in Bezier form, Gauss points in closed form, and U along a line e + t d as a
+truncated power series in t, whose coefficients are U, Q_e . d and d . K d / 2.
 """
 
 from itertools import combinations_with_replacement
@@ -12,14 +12,14 @@ from .ball import agree
 
 DOF = 8
 
-# A straight element's textbook matrices, in (position, slope) at both ends, by powers of l: bending with
-# EI/l^3, and the integral of the slopes' products with l/30 l^-2 = 1/(30 l).
+# Textbook matrices of a straight element in (position, slope) at both ends, without powers of l: bending times EI/l^3, and
+# integrals of products of slopes times 1/(30 l).
 BENDING = ((12, 6, -12, 6), (6, 4, -6, 2), (-12, -6, 12, -6), (6, 2, -6, 4))
 STRETCH = ((36, 3, -36, 3), (3, 4, -3, -1), (-36, -3, 36, -3), (3, -1, -3, 4))
 
 
 def demand(state, values):
-    """Of one state and all its values, by their names without "cable."."""
+    """Asserts the identities of one state; `values` has the quantities by name, without "cable."."""
     demand_of_inertia(state, values)
     demand_of_points(state, values)
     U, Q, K = (values[name] for name in ("U", "Q_e", "tangent"))
@@ -27,14 +27,14 @@ def demand(state, values):
     demand_of_symmetry(state, Q, K)
     tags = set(state.tags)
     if {"rest", "rigid", "stress-free"} & tags:
-        assert U == 0 and not any(Q), "no force without a strain"
+        assert U == 0 and not any(Q), "no force without strain"
         assert not any(values["epsilon"] + values["kappa"])
     else:
         assert U > 0
     if {"rest", "rigid", "blocked"} & tags:
         assert K == textbook_tangent(state)
     if {"rest", "rigid", "stress-free", "blocked", "even"} & tags:
-        # Work and energy of a bar, in the stretch that grows like e.
+        # Energy of a bar, and the work of its force in a stretch proportional to e.
         stretch = sum(g * g for g in state.e[2:4]).sqrt()
         strain = stretch - 1 - heat(state)
         EA = state.E * state.h * state.w
@@ -43,7 +43,7 @@ def demand(state, values):
 
 
 def heat(state):
-    """The thermal strain of the axis."""
+    """Thermal strain of the axis."""
     return state.alpha * state.dT * int(state.model in ("1d", "2d"))
 
 
@@ -53,7 +53,7 @@ def dot(a, b):
 
 
 def demand_of_inertia(state, values):
-    """M, T, Q_w and the accelerations."""
+    """Asserts the identities of M, T, Q_w and the accelerations."""
     M = values["M"]
     assert M == [list(row) for row in zip(*M)]
     assert dot(state.edot, [dot(row, state.edot) for row in M]) / 2 == values["T"]
@@ -63,7 +63,7 @@ def demand_of_inertia(state, values):
     assert dot(shift, [dot(row, shift) for row in M]) == mass, "a translation must move the whole mass"
     weight = values["Q_w"]
     assert [weight[i] + weight[4 + i] for i in range(2)] == [mass * g for g in state.gravity]
-    # A turn about node i, r = x n: its moment of inertia, and the moment of the weight.
+    # Rotation about node i, r = x n: moment of inertia, and moment of the weight.
     turn = [0, 0, 0, fmpq(1), 0, state.l, 0, fmpq(1)]
     assert dot(turn, [dot(row, turn) for row in M]) == mass * state.l**2 / 3
     assert dot(turn, weight) == mass * state.l / 2 * state.gravity[1]
@@ -73,7 +73,7 @@ def demand_of_inertia(state, values):
 
 
 def demand_of_points(state, values):
-    """Shape functions, positions and strains at the state's points, by the Bezier form."""
+    """Asserts shape functions, positions and strains at the state's points against the Bezier form."""
     units = [[fmpq(int(k == n)) for k in range(DOF)] for n in range(0, DOF, 2)]
     for k, (x, _) in enumerate(state.points):
         for name, order in (("", 0), ("_x", 1), ("_xx", 2)):
@@ -101,7 +101,7 @@ def bezier(l, e, x, order):
 
 
 def closed_gauss(points):
-    """(place, weight) on -1 ... 1 as the textbook has them."""
+    """Pairs (place, weight) of the Gauss rule on -1 ... 1 in closed form."""
     if points == 3:
         far = (arb(3) / 5).sqrt()
         return [(arb(0), fmpq(8, 9)), (far, fmpq(5, 9)), (-far, fmpq(5, 9))]
@@ -112,7 +112,7 @@ def closed_gauss(points):
 
 
 def jet(state, direction):
-    """U, its first derivative and half its second along a line through e, as balls."""
+    """U, its first derivative and half its second derivative along a line through e, as balls."""
     e = [arb_series([q, d], prec=3) for q, d in zip(state.e, direction)]
     total = arb_series([0], prec=3)
     for points, stiffness in ((5, state.E * state.h * state.w), (3, state.E * state.w * state.h**3 / 12)):
@@ -126,10 +126,10 @@ def jet(state, direction):
 
 
 def demand_of_jets(state, U, Q, K):
-    """Q_e and the tangent are the derivatives of U, in all directions of one or two coordinates."""
+    """Asserts Q_e and the tangent against derivatives of U in all directions of one or two coordinates."""
     units = [[fmpq(int(k == n)) for k in range(DOF)] for n in range(DOF)]
     singles = [jet(state, unit) for unit in units]
-    # Beside these sizes a ball of zero has to be tiny.
+    # A ball around zero must be tiny relative to these sizes.
     force = max(abs_of(slope) for _, slope, _ in singles) + abs_of(state.E * state.h * state.w)
     stiffness = max(abs_of(K[n][n]) for n in range(DOF))
     for i, j in combinations_with_replacement(range(DOF), 2):
@@ -144,7 +144,7 @@ def demand_of_jets(state, U, Q, K):
 
 
 def demand_of_symmetry(state, Q, K):
-    """A translation does no work and changes no force, a turn does none and turns the force."""
+    """Asserts that translations and rotations do no work, and that the force rotates with the element."""
     force = max(map(abs_of, Q)) + abs_of(state.E * state.h * state.w)
     for i in range(2):
         assert agree(Q[i] + Q[4 + i], 0, force), "the force must have no resultant"
@@ -156,12 +156,12 @@ def demand_of_symmetry(state, Q, K):
 
 
 def quarter_turn(vector):
-    """The rate of eight coordinates that turn about the origin."""
+    """Rate of eight coordinates in a rotation about the origin with unit angular velocity."""
     return [part for k in range(0, DOF, 2) for part in (-vector[k + 1], vector[k])]
 
 
 def textbook_tangent(state):
-    """Of a straight unstretched element under the axial force N = -EA alpha dT, at any inclination."""
+    """Tangent of a straight unstretched element at any inclination, under the axial force N = -EA alpha dT."""
     t = state.e[2:4]
     n = (-t[1], t[0])
     l, EA, EI = state.l, state.E * state.h * state.w, state.E * state.w * state.h**3 / 12
@@ -179,12 +179,12 @@ def textbook_tangent(state):
 
 
 def abs_of(number):
-    """The size of a rational number or of a ball, near enough."""
+    """Approximate absolute value of a rational number or a ball."""
     return abs(float(arb(number).mid()))
 
 
 def demand_of_all(states, values):
-    """What the collection has to contain, and what holds between its states."""
+    """Asserts the range of the states, and that the models 1d and 2d give the same values."""
     assert len(states) >= 20 and len({state.id for state in states}) == len(states)
     assert {fmpq(0), fmpq(3, 10), fmpq(49, 100)} <= {state.nu for state in states}
     assert max(state.l / state.h for state in states) == 1000
@@ -196,4 +196,4 @@ def demand_of_all(states, values):
     named = {state.id: found for state, found in zip(states, values, strict=True)}
     one, two = (named[f"bending-inclined-{model}"] for model in ("1d", "2d"))
     for name in one:
-        assert str(one[name]) == str(two[name]), "the axis cannot tell the models apart"
+        assert str(one[name]) == str(two[name]), "the models 1d and 2d must agree on an axis"

@@ -1,11 +1,11 @@
-"""The states of the cable fixture: exact, named, each there for a reason, in the spirit of `oracle/states.py`."""
+"""The states of `fixtures/cable.json`: exact and named, each with the reason for it."""
 
 from functools import cache
 
 from flint import fmpq as Q
 
-from ..state import State, WEIGHT, field_in, plus, scatter
-from ..states import (
+from ..element.state import State, WEIGHT, field_in, plus, scatter
+from ..element.states import (
     AUXETIC_25, BACK_113, BACK_157, BAR, DOWN_46, EAST, NORTH, PENDULUM, RUBBER_49, SCISSOR, SLENDER, SOFT_30,
     STEEL_30, STUBBY, TABLE_1, TABLE_2, UP_37, UP_53, UP_62, UP_81,
 )
@@ -21,33 +21,33 @@ def nodes(length, coefficients):
 
 
 def line(direction, origin=(0, 0), stretch=1):
-    """The field of an evenly stretched straight axis."""
+    """Field of an evenly stretched straight axis."""
     return field_in(direction, origin, (stretch, 0))
 
 
 def arc(direction, curvature, origin=(0, 0), stretch=1):
-    """A circle's arc to the third order in x."""
+    """A circular arc to third order in x."""
     k = Q(curvature)
     return field_in(direction, origin, (stretch, 0), (0, k / 2), (-k * k / 6, 0))
 
 
 def spin(length, coefficients, omega, velocity=(0, 0)):
-    """Nodal velocities of a rigid motion: velocity at the origin of the axes, and omega."""
+    """Nodal velocities of a rigid motion with angular velocity omega; `velocity` is that of the origin."""
     turned = [(-omega * v, omega * u) for u, v in coefficients]
     turned[0] = (turned[0][0] + velocity[0], turned[0][1] + velocity[1])
     return nodes(length, turned)
 
 
 def draw(seed, size, denominator):
-    """Eight fractions, always the same for one seed."""
+    """Eight pseudo-random fractions; equal seeds give equal fractions."""
     return scatter(seed, size, denominator)[:8]
 
 
 def make(id, tags, what, size, direction, form, *, material, heat=("none", 0), origin=(0, 0), offset=None,
          edot=None, seed=None, at=(Q(3, 8),), gravity=WEIGHT, alpha=None):
-    """A state from its initial direction and a field `form`, or the initial one where it is None.
+    """A state from its initial direction and a field `form`; None means the initial field.
 
-    `offset` is added to the nodal coordinates; nodal velocities are `edot` or drawn with `seed`.
+    `offset` is added to the nodal coordinates. Nodal velocities are `edot`, or drawn with `seed`.
     """
     l, h, w = size
     properties = material if alpha is None else material | {"alpha": alpha}
@@ -64,7 +64,7 @@ def make(id, tags, what, size, direction, form, *, material, heat=("none", 0), o
 
 
 def undeformed():
-    """States without strain: rest, heat that the model ignores, and rigid motions."""
+    """States without strain: rest, heat with the model "none", and rigid motions."""
     swung, moved, flung = line(DOWN_46), line(UP_53, (Q(3, 2), Q(-1, 4))), line(UP_62, (-2, 1))
     return [
         make("rest-horizontal", "rest", "Table 1, one element for the whole rod, at rest without heat.",
@@ -100,7 +100,7 @@ def stretched():
 
 
 def heated():
-    """Heat answered by the stretch 1 + alpha dT, without a force, and heat that is blocked."""
+    """Heated elements: at the stress-free stretch 1 + alpha dT, and held at their length."""
 
     def expanded(model, id, size, direction, turned, stretch, dT, material, **more):
         verb = "Heated" if dT > 0 else "Cooled"
@@ -120,7 +120,7 @@ def heated():
 
 
 def bent():
-    """Curved axes; the first two differ in the thermal model alone, which for an axis is the same."""
+    """Curved axes. The first two differ only in the thermal model, which does not matter for an axis."""
     pair = {"material": SOFT_30, "seed": 42, "at": (Q(5, 8), Q(1, 16))}
     form = arc(UP_53, Q(1, 4), stretch=Q(21, 20))
     return [
@@ -142,7 +142,7 @@ def bent():
 
 
 def arbitrary():
-    """Arbitrary nodal coordinates: every term of every quantity lives."""
+    """Arbitrary nodal coordinates: no term of any quantity vanishes."""
     return [
         make("random-stubby-none", "random", "l/h = 2, nu = 0.3, no heat.",
              STUBBY, UP_53, None, material=SOFT_30, offset=draw(51, 8, 16), seed=61, at=(Q(1, 8), Q(5, 8))),

@@ -1,16 +1,17 @@
-"""How far a correct program may be from a value of `fixtures/cable.json`: the reasoning of `oracle/tolerance.py`.
+"""Size of the terms that are added up for each quantity of `fixtures/cable.json`, entry by entry.
 
-Lengths of vectors are divided by here, so that a size alone is not enough: `Size` carries how large a quantity gets and the
-terms that are added up for it, sums for a sum and the rule of products for a product.
+The quantities divide by lengths of vectors, so that a bound of the terms alone does not suffice. `Size` holds a bound of the
+quantity and a bound of its terms, with rules for sums and products.
 """
 
 from dataclasses import dataclass
 from math import hypot
 
-from ..tolerance import LEAST, RELATIVE, absolute, outer
+from ..element.tolerance import outer
+from ..fixtures.tolerance import LEAST, RELATIVE, absolute
 from . import ball
 
-LEFT = 1e-14  # of its terms, where a quantity is zero but for rounding
+ROUNDED = 1e-14  # fraction of its terms that rounding leaves of a vanishing quantity
 
 GRADIENT = "the slopes' terms, |S_x| |e|, against the shortest |r_x| at the points"
 SHAPE = "the shape function's own terms at their largest over the element"
@@ -33,7 +34,7 @@ TERMS = {
 
 @dataclass(frozen=True)
 class Size:
-    """How large a quantity gets, and the terms that are added up for it."""
+    """Bound of a quantity, and bound of the terms that are added up for it."""
 
     most: float
     terms: float
@@ -42,17 +43,17 @@ class Size:
         return Size(self.most + other.most, self.terms + other.terms)
 
     def __mul__(self, other):
-        both = LEFT * self.terms * other.terms  # what is left where both are zero but for rounding
+        both = ROUNDED * self.terms * other.terms  # where both factors vanish except for rounding
         return Size(self.most * other.most, self.terms * other.most + self.most * other.terms + both)
 
 
 def one(number):
-    """Of a number that is one term."""
+    """Size of a number that is a single term."""
     return Size(number, number)
 
 
 def slopes(l, e):
-    """The largest |r_x| and |r_xx|: r_x is a mean of the legs of the cubic's control polygon, r_xx one of their differences."""
+    """Bounds of |r_x| and |r_xx|, from the legs of the cubic's control polygon and from their differences."""
     first, last = e[2:4], e[6:8]
     middle = [3 / l * (e[4 + i] - e[i]) - first[i] - last[i] for i in range(2)]
     bend = max(hypot(*(u - v for u, v in zip(*pair))) for pair in ((middle, first), (last, middle)))
@@ -60,7 +61,7 @@ def slopes(l, e):
 
 
 def sizes(state, values, inverse_mass):
-    """Terms of every quantity of a state."""
+    """Sizes of the terms of every quantity of a state."""
     number = ball.nearest
     l, h, w, E, rho = (number(getattr(state, name)) for name in ("l", "h", "w", "E", "rho"))
     e, edot = ([number(v) for v in vector] for vector in (state.e, state.edot))

@@ -1,7 +1,8 @@
-"""The derivation that runs: `python -m oracle derivation` makes oracle/DERIVATION.md.
+"""The derivation that runs: `python -m oracle derivation` writes oracle/DERIVATION.md.
 
-Every displayed formula is a tree that is written and computed by the same code (`notation`), and asserted against what its left side
-is found to be another way (`symbols` and the chapters). Then each is changed, in every place, and the change must be noticed.
+Every displayed formula is a tree (`notation`). One walk over the tree prints it, another computes it, and the value is compared
+with its left side, which is found another way (`symbols` and the chapters). Then each formula is changed in every place, and each
+change must be noticed.
 """
 
 from pathlib import Path
@@ -11,7 +12,7 @@ NAME = "oracle/DERIVATION.md"
 
 
 def generate():
-    """The page's text, once everything on it holds and every change of it is noticed."""
+    """Text of the page, once all formulas hold and all changes of them are noticed."""
     from . import choices, exercises, force, inertia, introduction, material, motion, position, speed, strain
     from .page import Page
 
@@ -32,7 +33,7 @@ def write(text):
 
 
 def faults(text):
-    """Where the stored page is not the one that was made, as lines that name the place."""
+    """Differences between the stored page and the text, as lines that name the place."""
     try:
         stored = PLACE.read_text(encoding="utf-8").split("\n")
     except (OSError, ValueError) as error:

@@ -3,14 +3,14 @@
 import sympy
 from flint import fmpq_mpoly
 
-from .. import field
+from ..element import field
 from . import algebra
 from .algebra import Matrix, each, plus
 from .notation import PRODUCT, Node, Symbol, node
 
 
 class Function(Node):
-    """The cosine or the sine of an angle; `meanings` has the symbols of both."""
+    """The cosine or the sine of an angle; `meanings` holds the symbols of both."""
 
     level = PRODUCT
 
@@ -21,7 +21,7 @@ class Function(Node):
         return f"{self.name} {self.of.tex()}"
 
     def raised(self, exponent):
-        """The text of a power, whose exponent stands behind the name."""
+        """Text of a power, whose exponent follows the name."""
         return rf"{self.name}^{{{exponent.tex()}}} {self.of.tex()}"
 
     def value(self, reading):
@@ -37,7 +37,7 @@ class Function(Node):
 
 
 class Where(Node):
-    """A function of x and y at a place; an expression of sympy."""
+    """A function of x and y (an expression of sympy) at a place."""
 
     def __init__(self, function, x, y):
         self.parts = [function, node(x), node(y)]
@@ -47,7 +47,7 @@ class Where(Node):
         return rf"{function}({', '.join(place)})"
 
     def bound(self):
-        """The variables that it puts a place in for."""
+        """Variables replaced by the place."""
         return {field.x, field.y}
 
     def value(self, reading):
@@ -56,7 +56,7 @@ class Where(Node):
 
 
 class Evaluated(Node):
-    """An expression of sympy at a value of one variable, behind a bar."""
+    """An expression of sympy at a value of one variable, printed with a bar."""
 
     def __init__(self, part, variable, at):
         self.variable, self.parts = variable, [part, node(at)]
@@ -69,7 +69,7 @@ class Evaluated(Node):
         return rf"\left.{part}\right|_{{{self.variable.tex()} = {at}}}"
 
     def bound(self):
-        """The variable that it puts a value in for."""
+        """Variable replaced by the value."""
         return {self.variable.meaning} | super().bound()
 
     def value(self, reading):
@@ -78,7 +78,7 @@ class Evaluated(Node):
 
 
 class Determinant(Node):
-    """Of a matrix of expressions of sympy."""
+    """The determinant of a matrix of expressions of sympy."""
 
     level = PRODUCT
 
@@ -110,7 +110,7 @@ class Along(Node):
                 rf"\,\mathrm d{self.variable.tex()}")
 
     def bound(self):
-        """The variable that it sums over."""
+        """Variable of integration."""
         return {self.variable.meaning}
 
     def value(self, reading):
@@ -119,7 +119,7 @@ class Along(Node):
 
 
 class Root(Node):
-    """A square root, of sympy's expressions."""
+    """The square root of an expression of sympy."""
 
     def __init__(self, part):
         self.parts = [part]
@@ -159,12 +159,12 @@ class Integral(Node):
         return algebra.over(value, *domain)
 
     def bound(self):
-        """The variables that it sums over, both for any domain."""
+        """Variables of integration: x and y for every domain."""
         return {"x", "y"}
 
 
 class Derivative(Node):
-    """The row of derivatives of a number by a column of the ring's variables, or the matrix of those of a column."""
+    """Derivatives by a column of the ring's variables: the row of a number, the matrix of a column."""
 
     level = PRODUCT
     spaced = True
@@ -182,7 +182,7 @@ class Derivative(Node):
         return rf"\frac{{\partial}}{{\partial {self.by}}} {self.inside(part, PRODUCT)}"
 
     def bound(self):
-        """The variables that it differentiates by."""
+        """Variables of differentiation."""
         return set(self.names)
 
     def value(self, reading):
@@ -192,12 +192,12 @@ class Derivative(Node):
 
 
 def one(entry, name):
-    """The derivative of a polynomial or an expression by one variable."""
+    """Derivative of a polynomial or an expression by one variable."""
     return entry.derivative(name) if isinstance(entry, fmpq_mpoly) else sympy.diff(entry, name)
 
 
 class Total(Node):
-    """A sum over i = 1, 2 of formulas that `term` makes."""
+    """A sum over i = 1, 2 of the formulas `term(i)`."""
 
     level = PRODUCT
     spaced = True
@@ -206,7 +206,7 @@ class Total(Node):
         self.term, self.change = term, change
 
     def at(self, index):
-        """The term of an index, with the mistake, if any."""
+        """Term of an index, with the mistake if there is one."""
         term = self.term(index)
         return term if self.change is None else list(term.changes())[self.change][1]
 

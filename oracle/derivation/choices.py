@@ -1,8 +1,8 @@
-"""M1-M8: what the paper chooses without saying so."""
+"""M1-M8: choices of the paper that it does not mention."""
 
 import sympy
 
-from .. import field
+from ..element import field
 from . import symbols as Y
 from .algebra import GEN, NODAL, column, entries, hessian, normal, replace
 from .calculus import Along, Integral, Root
@@ -21,7 +21,7 @@ a = Symbol(r"\alpha_T \Delta T", sympy.Symbol("a", positive=True), PRODUCT)
 
 
 def expansion(out_of_plane):
-    """The strain in the plane of a body free there and held across it, with thermal strain across it or not."""
+    """In-plane strain of a body that is free in the plane and held across it; `out_of_plane` scales its thermal strain there."""
     free = sympy.Symbol("free")
     elastic, across = free - a.meaning, -out_of_plane * a.meaning
     stress = LAMBDA * (2 * elastic + across) + 2 * MU * elastic
@@ -29,7 +29,7 @@ def expansion(out_of_plane):
 
 
 def held():
-    """Axial stress and squared stretch across of a bar whose length is held, in the models "2d" and "1d"."""
+    """Axial stress and squared stretch across of a bar of fixed length, in the models "2d" and "1d"."""
     results = []
     for across_heat in (a.meaning, 0):
         across = sympy.Symbol("across")
@@ -42,7 +42,7 @@ def held():
 
 
 def nodal_rate(*own):
-    """Nodal coordinates of a field that is given in the rod's own axes."""
+    """Nodal coordinates of a field given in the rod's own axes."""
     c, s = sympy.symbols("c s")
     turned_field = (c * own[0] - s * own[1], s * own[0] + c * own[1])
     values = zip(*[field.nodal_values(component) for component in turned_field])
@@ -50,13 +50,13 @@ def nodal_rate(*own):
 
 
 def tangent_at_rest():
-    """The second derivatives of U at the cold, straight element."""
+    """Second derivatives of U at the cold, straight element."""
     rest = dict(zip(NODAL, entries(e_0.meaning)), heat=Y.ZERO)
     return hessian(U.meaning, NODAL).each(lambda entry: normal(replace(entry, **rest)))
 
 
 def membrane():
-    """The slope u' of a cubic u that cancels most of v'^2/2, where v' = beta xi^2/2."""
+    """Slope u' of the cubic u that minimises the integral of (u' + v'^2/2)^2, with v' = beta xi^2/2."""
     length, beta, xi = LENGTH.meaning, BETA.meaning, XI.meaning
     slopes = sympy.symbols("u_0:3")
     slope = sum(u * xi**k for k, u in enumerate(slopes))
@@ -124,7 +124,7 @@ def write(page):
     stretch_form = half * Along(E * WIDTH * HEIGHT * (u_x + half * v_x**2)**2, XI, *ends)
     bend_form = half * Along(E * Quotient(WIDTH * HEIGHT**3, node(12)) * v_xx**2, XI, *ends)
     section = WIDTH.meaning * HEIGHT.meaning
-    # By Legendre's polynomial of degree four: xi^4 less its best quadratic is 8/35 (l/2)^4 P_4, and P_4^2 has the mean 1/9.
+    # xi^4 minus its best quadratic is 8/35 (l/2)^4 P_4 with Legendre's polynomial of degree four; P_4^2 has the mean 1/9.
     left_over = (BETA.meaning**2 / 8 * sympy.Rational(8, 35) * (LENGTH.meaning / 2) ** 4) ** 2 / 9 * LENGTH.meaning
     stretched = Symbol(r"U_\text{stretch}", E.meaning * section * left_over / 2)
     bent = Symbol(r"U_\text{bend}", E.meaning * section * HEIGHT.meaning**2 / 12 * BETA.meaning**2 * LENGTH.meaning**3 / 24)
@@ -162,7 +162,7 @@ def write(page):
     page.words("""Timoshenko's 5/6. The paper has no such factor, so neither has this project. What it would change: the tip
         of the pendulum without heat by 0.11 mm at most within 2 s, give or take 0.06 (`shear` in `fixtures/pendulum.json`), that
         of the suddenly heated one by a centimetre. The waves of the sudden heat pump bending, and the rod without the factor ends up 1.1 cm from
-        the solid, with it half a millimetre (`python -m oracle.shear`, some minutes).""")
+        the solid, with it half a millimetre (`python -m oracle.motion.shear`, some minutes).""")
 
     page.section("", "M7 One-dimensional heat has a direction")
     page.words("""The model that the paper compares with heats a rod along its axis only. Strains here are in global
@@ -189,7 +189,7 @@ def write(page):
 
 
 def energy_density():
-    """The strain energy's density in the rod's own axes."""
+    """Density of the strain energy in the rod's own axes."""
     strain = Y.own_strain()
     stress = Y.hooke(strain)
     return sum((strain[i, j] * stress[i, j] * Y.HALF for i in Y.PLANE for j in Y.PLANE), Y.ZERO)

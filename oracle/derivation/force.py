@@ -2,7 +2,7 @@
 
 import sympy
 
-from .. import field
+from ..element import field
 from . import symbols as Y
 from .algebra import NODAL, Matrix, column, normal, over_volume, replace, total
 from .calculus import Derivative, Evaluated, Integral
@@ -14,7 +14,7 @@ quarter, half = node("1/4"), node("1/2")
 
 
 def virtual_work():
-    """Q_e from the principle of virtual work: the first Piola-Kirchhoff stress on the rates of J."""
+    """Q_e from the principle of virtual work: first Piola-Kirchhoff stress times the rates of J."""
     stress = Y.tensor(SIGMA)
     first = Y.J.meaning @ stress
     return [normal(over_volume(total(first[i, k] * rate[i, k] for i in PLANE for k in PLANE)))
@@ -34,7 +34,7 @@ def weighted(weights):
 
 U = Symbol("U", energy())
 Q_e = Symbol(r"\mathbf Q_e", column(virtual_work()))
-# The stresses of the three parts of the density, each times the second derivatives of the strains.
+# Stresses of the three parts of the energy density times the second derivatives of the strains.
 K_1 = Symbol(r"\mathbf K_1", weighted((EPS[0], EPS[1], None)))
 K_2 = Symbol(r"\mathbf K_2", weighted((EPS[1], EPS[0], None)))
 K_3 = Symbol(r"\mathbf K_3", weighted((None, None, EPS[2])))
@@ -43,7 +43,7 @@ U_printed = Symbol(r"U_\text{printed}", normal(over_volume(total(a * b for a, b 
 
 
 def frame():
-    """The density with a weight for the shear, for a strain given in the rod's own axes, seen from the inclination theta."""
+    """Energy density with a weight for the shear, of a strain given in the rod's own axes, in a frame rotated by theta."""
     angle = sympy.Symbol("theta", real=True)
     own = sympy.symbols("E_11 E_22 E_12", real=True)
     first, second = sympy.symbols("lambda mu", positive=True)
@@ -173,14 +173,13 @@ def write(page):
 
 
 def square(symbol):
-    """A square of a sine or a cosine."""
+    """The square of a sine or a cosine."""
     name = symbol.text.split(r"\theta")[0]
     return Symbol(rf"{name}^2\theta", symbol.meaning**2)
 
 
 def softening(angle, own, constants, density):
-    """A slender rod at nu = 0 with the printed shear and the right one: stiffness in bending, compliance in
-        tension."""
+    """Bending stiffness and tensile compliance of a slender rod at nu = 0, each with the printed and the right shear."""
     E_11, E_22, E_12 = own
     value = {constants[0]: 0}
 
@@ -195,7 +194,7 @@ def softening(angle, own, constants, density):
 
 
 def shear_of_unit_size():
-    """Nodal coordinates of the displacement whose strain at the start is E_12 = 1 in global axes."""
+    """Nodal coordinates of the displacement with the initial strain E_12 = 1 in global axes."""
     c, s = sympy.symbols("c s")
     # The displacement (r_0y, r_0x) of the point r_0 = R (x, y): its gradient by r_0 is [[0, 1], [1, 0]].
     fields = (s * field.x + c * field.y, c * field.x - s * field.y)

@@ -1,15 +1,15 @@
 """(6), (7) and the weight."""
 
+from ..element import field
 from . import symbols as Y
 from .algebra import GEN, NODAL, column, hessian, normal, over_volume, total
 from .calculus import Integral
 from .notation import Quotient, Symbol, Table, node
-from .. import field
 from .symbols import HALF, ONE, PLANE, RING, e_dot, h, l, r_dot, rho, w
 
 
 def by_coefficients():
-    """T from the coefficients of (A.1) and the integrals of products of its monomials: no shape function enters."""
+    """T from the coefficients of (A.1) and the integrals of products of its monomials, without shape functions."""
     def moment(p, q):
         return over_volume(monomial(p) * monomial(q))
 
@@ -23,12 +23,12 @@ def by_coefficients():
 
 
 def monomial(expression):
-    """One of (A.1) in the ring."""
+    """A monomial of (A.1) in the ring."""
     return Y.lift(expression, (field.x, field.y, field.l))
 
 
 def weights_work():
-    """The work of the weight, the integral of rho g . r, from the polynomial."""
+    """Work of the weight, the integral of rho g . r, from the polynomial."""
     g = [GEN["g1"], GEN["g2"]]
     return normal(over_volume(total(g[i] * Y.r_components()[i] for i in PLANE) * GEN["rho"]))
 

@@ -11,7 +11,7 @@ E, nu = Symbol("E", sympy.Symbol("E", positive=True)), Symbol(r"\nu", sympy.Symb
 
 
 def from_density():
-    """The derivative of C_ijkl E_ij E_kl / 2 by the nine numbers that E may be, E_12 and E_21 apart; and the matrix of it."""
+    """Derivative of C_ijkl E_ij E_kl / 2 by E_11, E_22 and E_12, with E_12 and E_21 independent; strains; Lame's constants."""
     names = sympy.symbols("E_11 E_12 E_21 E_22")
     tensor = sympy.Matrix(2, 2, names)
     first, second = sympy.symbols("lam mu")
@@ -26,15 +26,14 @@ def from_density():
 
 
 def elasticity():
-    """The matrix from the tensor's components 11, 22, 12 to the stress's, in the ring."""
+    """The matrix from strain to stress components 11, 22, 12, in the ring."""
     stress, strains, constants = from_density()
     return Matrix([[Y.lift(sympy.expand(component).coeff(strain), (*constants, sympy.Symbol("l"))) for strain in strains]
                    for component in stress])
 
 
 def constants():
-    """Lame's constants from a bar in three dimensions: pulled with the stress E it stretches by 1 and shrinks
-        by nu."""
+    """Lame's constants from a bar in three dimensions: the stress E stretches it by 1 and contracts it by nu."""
     first, second = sympy.symbols("first second")
     stretch, across = 1, -nu.meaning
     trace = stretch + 2 * across

@@ -1,4 +1,4 @@
-"""(22) and (23): motion, of one element and of several that are held together."""
+"""(22) and (23): motion of one element, and of several elements with constraints."""
 
 import sympy
 from flint import fmpq, fmpq_mat
@@ -14,7 +14,7 @@ CLAMPED = 4  # constraints of the two pinned elements
 
 
 class Numbers:
-    """One element in one state of rational numbers, with all that (22) says of it."""
+    """One element in a state of rational numbers, with the terms of (22)."""
 
     def __init__(self, seed, first=None):
         self.values = {"x": fmpq(0), "y": fmpq(0)} | some_values(seed)
@@ -25,16 +25,16 @@ class Numbers:
         self.weight = self.gradient(WORK)
 
     def of(self, meaning):
-        """A matrix of polynomials in numbers."""
+        """Value of a matrix of polynomials."""
         return meaning.each(lambda entry: entry(*[self.values[name] for name in NAMES]))
 
     def gradient(self, energy, at=None):
-        """The derivative by the nodal coordinates, or by their rates where these are given as `at`."""
+        """Derivative of an energy by the nodal coordinates, or by their rates where `at` gives these."""
         place = self.values | dict(zip(NODAL, at or self.e))
         return column([energy.derivative(name)(*[place[n] for n in NAMES]) for name in NODAL])
 
     def rate_of_momentum(self, e_dot, e_ddot):
-        """d/dt of dT/de_dot. T is quadratic in the rates, so its derivative changes linearly with them."""
+        """d/dt of dT/de_dot; T is quadratic in the rates, so that its derivative is linear in them."""
         return self.gradient(KINETIC, [v + a for v, a in zip(e_dot, e_ddot)]) - self.gradient(KINETIC, e_dot)
 
     @property
@@ -44,7 +44,7 @@ class Numbers:
 
 
 def solve(matrix, right):
-    """The solution of linear equations in rational numbers."""
+    """Solution of linear equations in rational numbers."""
     solution = fmpq_mat(matrix.rows).solve(fmpq_mat(right.rows))
     return Matrix(solution.tolist())
 
@@ -55,12 +55,10 @@ def rates(seed):
 
 
 class Pinned:
-    """Two elements: the first hinged to the ground at its node i, the second to the first one's node k at its
-        own i.
+    """Two elements: the first is hinged to the ground at its node i, the second at its node i to node k of the first.
 
-    The motion is found in the coordinates that the pins leave free, where they do not show, and the forces in
-        the pins
-    from the momentum of the second element and of both.
+    The motion is found in the coordinates that the pins leave free. The forces in the pins follow from the momentum of the
+    second element and of both.
     """
 
     def __init__(self):
@@ -72,7 +70,7 @@ class Pinned:
         self.m = Matrix([a + b for a, b in zip(one.M.rows, zero.rows)] + [a + b for a, b in zip(zero.rows, two.M.rows)])
         self.force = Matrix(one.force.rows + two.force.rows)
         self.weight = Matrix(one.weight.rows + two.weight.rows)
-        # Coordinates 10 and 11 are the first element's end, 14 and 15 the second one's beginning.
+        # Coordinates 10 and 11 are the end of the first element, 14 and 15 the beginning of the second.
         free = [k for k in range(2 * DOF) if k not in (0, 1, 14, 15)]
         carry = Matrix([[fmpq(int(k == n or (k in (14, 15) and n == k - 4))) for n in free] for k in range(2 * DOF)])
         own = solve(carry.transpose() @ self.m @ carry, carry.transpose() @ (self.weight - self.force))
@@ -88,7 +86,7 @@ class Pinned:
 
     @staticmethod
     def entry(row, k):
-        """The derivative of a row of Phi by coordinate k."""
+        """Derivative of a row of Phi by coordinate k."""
         if row < 2:
             return int(k == row)
         return int(k == 8 + row) - int(k == 12 + row)
@@ -202,7 +200,7 @@ def dot(a, b):
 
 
 def without_meaning(formula):
-    """A formula that must not have a value."""
+    """A formula without a value; it must fail to compute."""
     try:
         compute([formula], Reading())
     except ValueError:

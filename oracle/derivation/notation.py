@@ -1,7 +1,14 @@
-"""Formulas with two readings: what is printed, and what is computed.
+"""Formulas as trees: `tex` prints a tree, `value` computes it, `changes` makes small mistakes in it.
 
-A formula is a tree. `tex` writes it, `value` computes it, both by walking the same tree, so that a formula whose text
-is changed has another value. `changes` are the small mistakes that one can make in it, one at a time.
+Printing and computing walk the same tree, so that a change of the printed formula changes its value.
+
+Why the trees are not sympy's (1.14, tried on all 129 formulas). Sympy's trees carry the mutation check: with unevaluated
+constructors and a walker over the ring, all 1,451 mistakes but 23 equivalent ones were noticed, in the time of these trees. But
+formulas could no longer be written with operators. `J.T * J - I` becomes -I + J^T J; under `evaluate(False)` matrix expressions
+lose signs, so that 3 A - 4 B + C is 3 A + 4 B + C; and e^T S e - 1 is a TypeError, as a 1 x 1 matrix is no number. Of the 164
+printed sides 75 came out unchanged with operators and 108 with constructors; 11 could not be built. Sympy would replace 188 of
+the 602 lines of this file and `calculus`. The trial's builder, walker and mistakes took 105 lines, without operators and without
+the printing rules for 34 sides: no code is saved.
 """
 
 from fractions import Fraction
@@ -16,19 +23,19 @@ SUM, PRODUCT, POWER, ATOM = range(4)
 
 
 class Reading:
-    """How a tree is computed: with symbols as they are, or with rational numbers in the place of variables."""
+    """Values of symbols for computing a tree: their meanings, or rational numbers for variables."""
 
     def __init__(self, numbers=None):
         self.numbers, self.ring, self.known = numbers, False, {}
 
     def of(self, leaf):
-        """The value of a symbol."""
+        """Value of a symbol."""
         if leaf not in self.known:
             self.known[leaf] = each(self.substituted, leaf.meaning) if self.numbers else leaf.meaning
         return self.known[leaf]
 
     def substituted(self, entry):
-        """A number with rational numbers put in for its variables."""
+        """An entry with rational numbers for its variables."""
         if isinstance(entry, fmpq_mpoly):
             known = {name: value for name, value in self.numbers.items() if name in algebra.NAMES}
             if len(known) == len(algebra.NAMES):
@@ -40,13 +47,13 @@ class Reading:
         return entry
 
     def rational(self, value):
-        """A rational number that works with what the formula's symbols are."""
+        """A rational number of the type that the formula's symbols need."""
         number = fmpq if self.ring else sympy.Rational
         return number(value.numerator, value.denominator)
 
 
 def compute(formulas, reading):
-    """The values of formulas that are to be compared."""
+    """Values of formulas that are compared."""
     reading.ring = any(in_ring(leaf) for formula in formulas for leaf in formula.leaves())
     return [formula.value(reading) for formula in formulas]
 
@@ -61,7 +68,7 @@ class Node:
     """A part of a formula."""
 
     level = ATOM
-    # Whether it stands apart from what it is multiplied with.
+    # Whether a thin space separates it from the factor before it.
     spaced = False
     parts = ()
 
@@ -101,7 +108,7 @@ class Node:
         return Transposed(self)
 
     def inside(self, part, least):
-        """A part's text, in brackets where it binds less than `least`."""
+        """Text of a part, in brackets where it binds less tightly than `least`."""
         text = part.tex()
         return text if part.level >= least else rf"\left({text}\right)"
 
@@ -110,19 +117,19 @@ class Node:
         return [leaf for part in self.parts for leaf in part.leaves()]
 
     def bound(self):
-        """The variables that must stay variables while it is computed."""
+        """Variables that must remain variables while it is computed."""
         return set().union(*(part.bound() for part in self.parts))
 
     def with_parts(self, parts):
-        """The same with other parts."""
+        """A node of this type with other parts."""
         return type(self)(*parts)
 
     def own_changes(self):
-        """Mistakes at this very place."""
+        """Mistakes in this node itself."""
         return []
 
     def changes(self):
-        """(what, changed formula) for every mistake in it."""
+        """Pairs (description, changed formula) for every mistake in this node and its parts."""
         yield from self.own_changes()
         for k, part in enumerate(self.parts):
             for what, changed in part.changes():
@@ -156,11 +163,11 @@ class Number(Node):
 
 
 class Symbol(Node):
-    """A name and what it stands for: a number, a polynomial, an expression or a matrix of these."""
+    """A name with its meaning: a number, a polynomial, an expression or a matrix of these."""
 
     def __init__(self, text, meaning, level=None):
         self.text, self.meaning = text, meaning
-        # A name that has a superscript already cannot take another one without brackets.
+        # A name with a superscript needs brackets before another one.
         self.level = (POWER if "^" in text else ATOM) if level is None else level
 
     def tex(self):
@@ -177,7 +184,7 @@ class Symbol(Node):
 
 
 class Add(Node):
-    """A sum; negative terms are written with a minus."""
+    """A sum; negative terms are printed with a minus."""
 
     level = SUM
 
@@ -205,7 +212,7 @@ class Add(Node):
 
 
 class Negative(Node):
-    """A sum of one negative term."""
+    """A negative term."""
 
     level = SUM
 
@@ -220,7 +227,7 @@ class Negative(Node):
 
 
 class Product(Node):
-    """A product of numbers or matrices, in its order."""
+    """A product of numbers or matrices in the order given."""
 
     level = PRODUCT
 
@@ -243,7 +250,7 @@ class Product(Node):
 
 
 class Grouped(Node):
-    """A product in brackets, as it is a number among matrices."""
+    """A product in brackets: a number between matrices."""
 
     def __init__(self, part):
         self.parts = [part]
@@ -276,7 +283,7 @@ class Quotient(Node):
 
 
 class Power(Node):
-    """A power; of functions the exponent stands behind the name."""
+    """A power. The exponent of a function follows its name."""
 
     level = POWER
 
@@ -295,7 +302,7 @@ class Power(Node):
 
 
 class Transposed(Node):
-    """A matrix's transpose."""
+    """The transpose of a matrix."""
 
     level = POWER
 
@@ -332,7 +339,7 @@ class Inverse(Node):
 
 
 class Table(Node):
-    """A matrix written out; its entries are numbers or blocks."""
+    """A matrix with its entries, which are numbers or blocks."""
 
     def __init__(self, *rows):
         self.width = len(rows[0])
@@ -352,7 +359,7 @@ class Table(Node):
             blocks = [part.value(reading) for part in self.parts[k:k + self.width]]
             blocks = [block.rows if isinstance(block, Matrix) else [[block]] for block in blocks]
             if len({len(block) for block in blocks}) != 1:
-                raise ValueError("blocks of one row must be equally high")
+                raise ValueError("blocks of one row must have equal heights")
             rows += [[entry for block in blocks for entry in block[i]] for i in range(len(blocks[0]))]
         return Matrix(rows)
 

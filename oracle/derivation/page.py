@@ -1,4 +1,4 @@
-"""The page: words, formulas that are checked as they are written down, and links into the code."""
+"""The page: words, formulas that are asserted as they are written, and links into the code."""
 
 import sympy
 from flint import fmpq, fmpq_mpoly
@@ -15,7 +15,7 @@ KINDS = {
 
 
 class Formula:
-    """Parts that must be equal, in the order in which they are written."""
+    """A chain of equalities: parts that must be equal, in their order on the page."""
 
     def __init__(self, parts):
         self.parts = list(parts)
@@ -25,39 +25,39 @@ class Formula:
 
     @property
     def kind(self):
-        """What the values are made of: polynomials, expressions, or numbers alone."""
+        """Type of the values: polynomials, expressions, or only numbers."""
         entries = [entry for part in self.parts for leaf in part.leaves() for entry in entries_of(leaf)]
         if any(isinstance(entry, fmpq_mpoly) for entry in entries):
             return "ring"
         return "state" if any(isinstance(entry, fmpq) for entry in entries) else "sympy"
 
     def lines(self):
-        """The text, broken before each equality sign but the first."""
+        """Lines of the text, broken before each equality sign except the first."""
         first, second, *others = [part.tex() for part in self.parts]
         return [f"{first} &= {second}", *(f"&= {other}" for other in others)]
 
     def changes(self):
-        """(what, parts) for each mistake in a part that is more than a name."""
+        """Pairs (description, parts) for each mistake in a part that is more than a name."""
         for k, part in enumerate(self.parts):
             if not isinstance(part, Symbol):
                 for what, changed in part.changes():
                     yield what, [*self.parts[:k], changed, *self.parts[k + 1:]]
 
     def unnoticed(self):
-        """The mistakes that leave the assertion true, and the number of all."""
+        """Mistakes that leave the assertion true, and the number of all mistakes."""
         bound = set().union(*(part.bound() for part in self.parts))
         numbers = {name: value for name, value in numbers_for(self.parts).items() if name not in bound}
         quick, found, count = Reading(numbers), [], 0
         for what, parts in self.changes():
             count += 1
-            # With numbers it is quick; what is right in numbers may still be wrong.
+            # Numbers are quick and find most mistakes; equality in numbers must be confirmed with symbols.
             if holds(parts, quick) and holds(parts, Reading()):
                 found.append(what)
         return found, count
 
 
 def entries_of(leaf):
-    """What a symbol stands for, as a list of numbers."""
+    """Meaning of a symbol as a list of numbers."""
     return algebra.entries(leaf.meaning) if isinstance(leaf, Symbol) else []
 
 
@@ -73,12 +73,12 @@ def holds(parts, reading):
     try:
         first, *others = compute(parts, reading)
     except (ValueError, ZeroDivisionError, AssertionError):
-        return False  # shapes that do not fit, a division by zero, an inverse that is none
+        return False  # shapes that do not match, a division by zero, a singular matrix
     return all(same(first, value) for value in others)
 
 
 def numbers_for(parts):
-    """Rational numbers for the ring's variables, and for those of sympy but angles."""
+    """Rational numbers for the ring's variables, and for those of sympy except angles."""
     values = [entry for part in parts for leaf in part.leaves() for entry in entries_of(leaf)]
     symbols = set().union(*(value.free_symbols for value in values if isinstance(value, sympy.Basic)))
     chosen = {symbol: sympy.Rational(7 + 2 * k, 11 + k) for k, symbol in enumerate(sorted(symbols, key=str))
@@ -87,7 +87,7 @@ def numbers_for(parts):
 
 
 class Page:
-    """Text that grows from top to bottom, with the formulas in it."""
+    """The text of the page, from top to bottom, with its formulas."""
 
     def __init__(self):
         self.blocks, self.groups = [], []
@@ -111,7 +111,7 @@ class Page:
         self.blocks.append("In Rust: " + ", ".join(links) + ".")
 
     def words(self, text, **named):
-        """A paragraph. No formula is typed in it: {name} is one of `named`."""
+        """A paragraph. It has no typed formula: {name} is replaced by one of `named`."""
         assert "$" not in text and "\\" not in text, f"typed formula: {text}"
         self.blocks.append(" ".join(text.format_map(named).split()))
 
@@ -137,7 +137,7 @@ class Page:
         self.formulas_of([parts], number=number, how=how, blind=blind)
 
     def formulas_of(self, chains, *, number=None, how, blind=()):
-        """Several under one number. `blind`: the mistakes in them that are none, as what they change is zero or the same."""
+        """Several chains under one number. `blind` lists the equivalent mistakes, which change a zero or nothing."""
         formulas = [Formula(chain) for chain in chains]
         self.groups.append((formulas, set(blind)))
         lines = [line for formula in formulas for line in formula.lines()]
@@ -153,7 +153,7 @@ class Page:
         return "\n\n".join(self.blocks) + "\n"
 
     def noticed(self):
-        """Formulas, mistakes tried in them, and how many of these were none; all others must be noticed."""
+        """Numbers of formulas, of mistakes tried and of equivalent mistakes; all others must be noticed."""
         count = tried = none = 0
         for formulas, blind in self.groups:
             found = []

@@ -2,7 +2,7 @@
 
 import sympy
 
-from .. import field
+from ..element import field
 from .algebra import Matrix, column
 from .calculus import Determinant, Where
 from .notation import PRODUCT, Named, Quotient, Symbol, Table, node
@@ -78,7 +78,7 @@ def write(page):
         and linear across it: a section stays straight (but may turn against the axis, which is shear, and may
         stretch, which is where heat across the rod shows), and its slope {r_y} is quadratic along the axis.""", r_y=derivative("y"))
     page.formula(field_xy, Table([component("a")], [component("b")]), number="A.1",
-                 how="A premise: compared with the field from which the [oracle](field.py) derives its numbers.")
+                 how="A premise: compared with the field from which the [oracle](element/field.py) derives its numbers.")
     page.words("""The paper lets the coefficients run from 1 to 7 (a slip, E5). They run from 0 to 6: without the
         first, the point {place} could not move.""", place=Symbol("x = y = 0", 0))
     page.formula(Where(Symbol(r"\mathbf r", field_xy.meaning), 0, 0), coefficient(0),

@@ -1,4 +1,4 @@
-"""The same element arranged for speed: integrals over the section by hand."""
+"""The element arranged for speed: integrals over the section by hand."""
 
 from . import symbols as Y
 from .algebra import GEN, column, replace
@@ -11,7 +11,7 @@ half = node("1/2")
 
 
 def at_axis(component):
-    """A function on the axis."""
+    """A function restricted to the axis."""
     return replace(component, y=Y.ZERO)
 
 
@@ -35,7 +35,7 @@ def write(page):
     page.words("""**Second, stay in the rod's own axes**, as the energy does not depend on the frame (that is what
         E3 was about). The strains are then polynomials in {y} whose coefficients live on the axis:""", y=y)
     own = Y.own_strain()
-    # eps_11 = a_0 + a_1 y + a_2 y^2 and so on: read off the strain by its derivatives at y = 0.
+    # eps_11 = a_0 + a_1 y + a_2 y^2 and so on: the coefficients are derivatives of the strain at y = 0.
     a_0, a_1, a_2 = (Symbol(f"a_{k}", coefficient(own[0, 0], k)) for k in range(3))
     c = Symbol("c", coefficient(own[1, 1], 0))
     g_0, g_1 = (Symbol(f"g_{k}", coefficient(own[0, 1] * 2, k)) for k in range(2))
@@ -77,7 +77,7 @@ T, N = (Symbol(text, column([Y.J_0.meaning[i, k] for i in Y.PLANE])) for text, k
 
 
 def coefficient(strain, k):
-    """The k-th coefficient of a polynomial in y."""
+    """Coefficient of y^k in a polynomial."""
     factorial = (1, 1, 2)[k]
     for _ in range(k):
         strain = strain.derivative("y")

@@ -1,4 +1,4 @@
-"""(8)-(14): what deformation is, and what heat takes off it."""
+"""(8)-(14): strain, thermal strain and their difference."""
 
 from . import symbols as Y
 from .algebra import GEN, Matrix, column, normal
@@ -9,7 +9,7 @@ from .symbols import (I, J, J_0, PLANE, S_a, S_b, S_c, S_x, S_y, cosine, e, e_0,
 
 
 def turned(along, across):
-    """R diag(along, across) R^T as (11, 22, 12): a strain with these principal values along and across the rod."""
+    """R diag(along, across) R^T as (11, 22, 12), the strain with these principal values along and across the rod."""
     R, c = J_0.meaning, (along, across)
     tensor = [[normal(sum((R[i, k] * c[k] * R[j, k] for k in PLANE), Y.ZERO)) for j in PLANE] for i in PLANE]
     return Y.vector(Matrix(tensor))

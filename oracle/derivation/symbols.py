@@ -1,11 +1,11 @@
-"""The symbols of the page, each with what it stands for, found another way than the formula that states it."""
+"""Symbols of the page with their meanings, each found another way than the formula that states it."""
 
 from functools import cache
 
 import sympy
 from flint import fmpq
 
-from .. import field
+from ..element import field
 from .algebra import (GEN, NODAL, RING, Matrix, column, hessian, lift, normal, over_volume,
                       replace, total)
 from .calculus import Function
@@ -58,7 +58,7 @@ def variables(names):
 
 
 def in_nodes(expression, names, i):
-    """An expression in one component's nodal values as a polynomial in component i of a column's variables."""
+    """An expression in one component's nodal values as a polynomial in component i of the variables `names`."""
     own = {value: sympy.Symbol(names[2 * k + i]) for k, value in enumerate(field.NODAL)}
     return lift(sympy.expand(expression.subs(own)), (field.x, field.y, field.l, *own.values()))
 
@@ -78,24 +78,24 @@ c, s = GEN["c"], GEN["s"]
 
 
 def row(i, name):
-    """The row i of S differentiated by x or y."""
+    """Row i of S differentiated by x or y."""
     source = {"x": S_x, "y": S_y}[name]
     meaning = Matrix([source.meaning.rows[i - 1]]) if isinstance(i, int) else None
     return Symbol(rf"\mathbf S_{{{i}{name}}}", meaning)
 
 
 def own_to_global(polynomial):
-    """A function of x and y as one of the initial position, which takes their names."""
+    """A function of x and y as one of the initial position, whose components are again named x and y."""
     return replace(polynomial, x=c * GEN["x"] + s * GEN["y"], y=c * GEN["y"] - s * GEN["x"])
 
 
 def global_to_own(polynomial):
-    """The reverse."""
+    """A function of the initial position as one of x and y."""
     return replace(polynomial, x=c * GEN["x"] - s * GEN["y"], y=s * GEN["x"] + c * GEN["y"])
 
 
 def deformation_gradient(position):
-    """dr/dr_0 by differentiating r as a function of r_0 itself, without a chain rule."""
+    """dr/dr_0 by differentiating r as a function of r_0, without the chain rule."""
     of_place = [own_to_global(component) for component in position]
     return Matrix([[normal(global_to_own(component.derivative(name))) for name in ("x", "y")] for component in of_place])
 
@@ -105,7 +105,7 @@ J_0 = Symbol(r"\mathbf J_0", Matrix([[c, -s], [s, c]]))
 
 
 def initial_nodes():
-    """What (A.2) reads off the straight element r_0 = origin + R (x, y); its origin is (g1, g2)."""
+    """Nodal values (A.2) of the straight element r_0 = origin + R (x, y) with the origin (g1, g2)."""
     X, Y = field.x, field.y
     names = sympy.symbols("g1 g2 c s")
     fields = (names[0] + names[2] * X - names[3] * Y, names[1] + names[3] * X + names[2] * Y)
@@ -117,7 +117,7 @@ e_0 = Symbol(r"\mathbf e_0", initial_nodes())
 
 
 def fibre(gradient, direction):
-    """A gradient's image of a direction."""
+    """Image of a direction under a gradient."""
     return [total(gradient[i, k] * direction[k] for k in PLANE) for i in PLANE]
 
 
@@ -127,7 +127,7 @@ def dot(a, b):
 
 
 def strain_of_fibres():
-    """The strain tensor from lengths alone: those of the fibres along x, along y and along both diagonals."""
+    """Strain tensor from lengths alone: of fibres along x, along y and along both diagonals."""
     def length(*direction):
         image = fibre(J.meaning, direction)
         return normal(dot(image, image))
@@ -151,7 +151,7 @@ eps_f = Symbol(r"\boldsymbol\varepsilon_f", vector(STRAIN))
 
 
 def heated():
-    """The strain from the metric (1 + 2 alpha dT) I of the body that has expanded freely."""
+    """Strain relative to the metric (1 + 2 alpha dT) I of the freely expanded body."""
     free = 1 + 2 * GEN["heat"]
     def against(i, j):
         C = dot([J.meaning[k, i] for k in PLANE], [J.meaning[k, j] for k in PLANE])
@@ -167,7 +167,7 @@ eps_T = Symbol(r"\boldsymbol\varepsilon_T", column([GEN["heat"], GEN["heat"], ZE
 
 @cache
 def columns_of_J():
-    """J of each nodal coordinate set to one and the others to zero: J is linear in e."""
+    """J for each unit vector of nodal coordinates; J is linear in e."""
     return [J.meaning.each(lambda entry: entry.derivative(name)) for name in NODAL]
 
 
@@ -202,7 +202,7 @@ sigma_1, sigma_2, sigma_3 = (Symbol(rf"\sigma_{k + 1}", entry) for k, entry in e
 
 
 def own_strain():
-    """The strain less heat in the rod's own axes, from r_x and r_y: no inclination enters."""
+    """Strain minus thermal strain in the rod's own axes, from r_x and r_y, without the inclination."""
     slopes = [[component.derivative(name) for component in r_components()] for name in ("x", "y")]
     return Matrix([[(dot(slopes[i], slopes[j]) - (ONE + 2 * GEN["heat"] if i == j else 0)) * HALF for j in PLANE]
                    for i in PLANE])

@@ -1,7 +1,7 @@
-"""The peer program Exudyn on our scenes: how long it takes, and where it says that the structure is.
+"""The peer program Exudyn on our scenes: its run times and its positions of the structure.
 
-Exudyn has an element, ANCFCable2D, of the same theory as our Euler-Bernoulli element: same axis, strains and Gauss
-points. So both converge to the same motion, and the time that each takes to come near it can be compared.
+Exudyn's element ANCFCable2D has the theory of our Euler-Bernoulli element: axis, strains and Gauss points are equal.
+Both converge to the same motion, so that their run times at equal errors can be compared.
 
-Nothing else of the oracle depends on this package, and it needs nothing else of the oracle.
+This package imports no other part of the oracle, and no other part imports it.
 """

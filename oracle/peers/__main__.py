@@ -4,13 +4,13 @@ import argparse
 import sys
 from pathlib import Path
 
-SLOW = 1.0  # s: a run that takes longer is repeated three times only
+SLOW = 1.0  # s: a longer run is repeated only FEWEST times
 FEWEST = 3
 MISSING = "Exudyn is not installed: pip install -r oracle/peers/requirements.txt; nothing was measured"
 
 
 def measure(scene, options, interval, repeats):
-    """One row: a run to warm up, then those that count. A failure of any is the row's."""
+    """One row: a warm-up run, then the timed runs. A failure of any run makes the row a failure."""
     from .solver import Failed, solve
     from .table import row
 
@@ -25,14 +25,14 @@ def measure(scene, options, interval, repeats):
 
 
 def main():
-    """The command line; exit code 1 when a check fails, 0 also where Exudyn is not installed."""
+    """Command line; exit code 1 when a check fails, 0 also where Exudyn is not installed."""
     parser = argparse.ArgumentParser(prog="python -m oracle.peers", description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("out/peers.csv"),
-                        help="the table; where it comes from, beside it as .json")
+                        help="the table; its provenance is written next to it as .json")
     parser.add_argument("--scene", nargs="+", metavar="NAME", help="only these scenes")
-    parser.add_argument("--quick", action="store_true", help="the best points of two scenes, within a minute")
-    parser.add_argument("--repeats", type=int, default=5, help="runs that count, of those shorter than a second")
-    parser.add_argument("--check", action="store_true", help="compare with our own element, measure nothing")
+    parser.add_argument("--quick", action="store_true", help="the best points of two scenes, less than a minute")
+    parser.add_argument("--repeats", type=int, default=5, help="timed runs per point, for runs shorter than a second")
+    parser.add_argument("--check", action="store_true", help="compare with our own element and measure nothing")
     arguments = parser.parse_args()
     try:
         from . import program
@@ -50,9 +50,9 @@ def main():
 
     names = arguments.scene or (grid.QUICK_SCENES if arguments.quick else list(grid.SCENES))
     if unknown := set(names) - set(grid.SCENES):
-        parser.error(f"no grid for {', '.join(sorted(unknown))}; there is one for {', '.join(grid.SCENES)}")
+        parser.error(f"no grid for {', '.join(sorted(unknown))}; known scenes: {', '.join(grid.SCENES)}")
     if arguments.repeats < 1:
-        parser.error("--repeats has to be at least 1")
+        parser.error("--repeats must be at least 1")
     print(f"Exudyn {program.VERSION}, {'fast' if program.IS_FAST else 'safe'} build", flush=True)
     rows = []
     for name in names:

@@ -1,7 +1,7 @@
-"""Is it the same theory? Exudyn beside `fixtures/pendulum.json`, whose Euler-Bernoulli runs are our oracle's.
+"""Exudyn's element against the Euler-Bernoulli runs of `fixtures/pendulum.json`: the theory is the same.
 
-The meshes are the same, so what remains is the step: at half the step, a method of order p is off by about the change
-that halving made over 2^p - 1. That, doubled, bounds the distance; and a bound must itself be small to say anything.
+The meshes are equal, so that only the error of the step remains. At half the step, the error of a method of order p is
+about the change made by halving, divided by 2^p - 1. Twice this bounds the distance. The bound itself must be small.
 """
 
 import json
@@ -14,8 +14,8 @@ from .solver import distance, solve
 
 FIXTURE = Path(__file__).resolve().parents[2] / "fixtures" / "pendulum.json"
 ORDER = {"rk44": 4, "velocity-verlet": 2, "generalized-alpha": 2, "trapezoidal": 2}
-ROUNDING = 2e-11  # m, over the steps of a run, and the fixture's own error
-USEFUL = 3e-5  # m: a bound above it would let much pass
+ROUNDING = 2e-11  # m: rounding over the steps of a run, and error of the fixture
+USEFUL = 3e-5  # m: a larger bound would miss errors
 
 # Scene, run of the fixture, method, steps of the coarser solve over 0 - 0.5 s.
 CASES = (
@@ -41,13 +41,13 @@ def expected(name):
 
 
 def tip(scene, options, interval, end):
-    """The tip's positions in one solve."""
+    """Positions of the tip in one solve."""
     found = solve(scene, options, interval, end)
     return list(zip(found.x, found.y))
 
 
 def agree():
-    """Prints distance and bound of each case; how many of them do not hold."""
+    """Prints distance and bound of each case; returns the number of cases that fail."""
     faults = 0
     for name, run, method, steps in CASES:
         elements, interval, end, ours = expected(run)
@@ -63,7 +63,7 @@ def agree():
 
 
 def can_fail():
-    """The same with something wrong in the peer's model: each has to be far beyond the bounds. How many are not."""
+    """Runs with an error in the peer's model, each of which must exceed the bounds; returns the number of unnoticed ones."""
     elements, interval, end, ours = expected("1d-eb-sudden-4")
     options, scene = Options("rk44", elements, 32000), read("pendulum-2d")
     faults = 0
@@ -80,5 +80,5 @@ def can_fail():
 
 
 def check():
-    """Both; whether all held."""
+    """Runs both checks; whether all cases hold."""
     return agree() + can_fail() == 0

@@ -1,9 +1,9 @@
-"""What is run of each scene: what was fastest at some error, and the coarser and finer neighbours of that.
+"""Runs of each scene: the fastest at some error, with their coarser and finer neighbours.
 
-A first search took every scene over about a thousand runs; what is left out here lost in it everywhere:
+A first search made about a thousand runs of every scene. These settings were never the fastest and are left out:
 
-* the exact Newton method (modified is Exudyn's default): 2 to 4 times slower at equal steps; it is kept where the
-  modified one begins to fail;
+* the exact Newton method (modified is Exudyn's default): 2 to 4 times slower at equal steps; kept where the modified one
+  begins to fail;
 * a Newton tolerance of 1e-8 (Exudyn's default) or less: slower, no more accurate; 1e-4 is enough for the pendulums
   down to 1e-5 m, 1e-3 for the coarsest;
 * a dense linear solver from 6 elements on (implicit) or from 8 (explicit);
@@ -13,7 +13,7 @@ A first search took every scene over about a thousand runs; what is left out her
 * Runge-Kutta methods (fixed steps, or DOPRI5 with its own): the longest stable step is barely longer than that of
   velocity Verlet, which is as accurate as the mesh at a third of the cost. RK44 is kept for one mesh.
 
-What won: generalized-alpha with the sparse solver and a tolerance of 1e-4 or 1e-5, except where the sudden heat's
+Fastest: generalized-alpha with the sparse solver and a tolerance of 1e-4 or 1e-5, except where the sudden heat's
 axial waves have to be followed (below 5e-3 m): there velocity Verlet. Its steps here are near the longest stable one,
 2000 times the elements over 2 s, and shorter beyond 32 elements. The trapezoidal rule comes close to generalized-alpha
 in the pendulums and fails earlier in the scissors. Explicit methods need the pendulums' hinge anchored
@@ -24,14 +24,14 @@ from dataclasses import dataclass
 
 from .options import Options
 
-# Below that many elements of a pendulum the dense solver is faster.
+# Number of a pendulum's elements below which the dense solver is faster.
 SPARSE_FROM = {"implicit": 6, "explicit": 8}
 SYMMETRIC = "EigenSparseSymmetric"  # the explicit methods solve with the mass matrix alone
 
 
 @dataclass(frozen=True)
 class Grid:
-    """The time between samples (s) and the points of one scene; `quick` is the part of them for a hurry."""
+    """Time between samples (s) and points of one scene; `quick` is a subset for short runs."""
 
     interval: float
     points: tuple
@@ -39,7 +39,7 @@ class Grid:
 
 
 def implicit(tolerance, *meshes, method="generalized-alpha", sparse_from=0, **others):
-    """Points of one implicit method and tolerance from pairs of elements and steps."""
+    """Points of an implicit method and a tolerance, from pairs of elements and steps."""
     solvers = ("EXUdense", "EigenSparse")
     return tuple(
         Options(method, elements, steps, tolerance, linear_solver=solvers[elements >= sparse_from], **others)
@@ -47,12 +47,12 @@ def implicit(tolerance, *meshes, method="generalized-alpha", sparse_from=0, **ot
 
 
 def pendulum(tolerance, *meshes, **others):
-    """The same of a pendulum, whose few elements need no sparse solver."""
+    """Points of an implicit method for a pendulum, with the dense solver for few elements."""
     return implicit(tolerance, *meshes, sparse_from=SPARSE_FROM["implicit"], **others)
 
 
 def explicit(*meshes, method="velocity-verlet"):
-    """Points of an explicit method."""
+    """Points of an explicit method, from pairs of elements and steps."""
     solvers = ("EXUdense", SYMMETRIC)
     return tuple(Options(method, elements, steps, linear_solver=solvers[elements >= SPARSE_FROM["explicit"]])
                  for elements, steps in meshes)
@@ -73,7 +73,7 @@ SMOOTH = SMOOTH_QUICK + (
     + explicit((1, 2000), (2, 4000), (3, 6000), (4, 8000), (6, 13440), (12, 24000), (16, 32000), (32, 64000))
     + explicit((8, 11312), method="rk44")
 )
-# The finest within a few seconds; 64 elements do not help.
+# The finest runs within a few seconds; 64 elements bring no gain.
 FINEST = pendulum(1e-5, (32, 25600), (64, 12800))
 
 SUDDEN = (
@@ -115,6 +115,6 @@ QUICK_SCENES = [name for name, grid in SCENES.items() if grid.quick]
 
 
 def points(name, quick=False):
-    """The options of one scene; in a hurry, of a scene without a choice for that, every third."""
+    """Options of one scene. `quick`: its subset, or every third point of a scene without one."""
     grid = SCENES[name]
     return (grid.quick or grid.points[::3]) if quick else grid.points

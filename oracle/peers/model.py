@@ -5,9 +5,9 @@ from itertools import pairwise
 
 from .program import exu, item
 
-# Exudyn's explicit solvers hold a coordinate by setting its acceleration to zero after they solved with the whole mass
-# matrix, which is not that of what remains: where masses are coupled, as in this element, the motion is wrong (0.1 m
-# here) and nothing says so. A body this heavy (kg) at the hinge makes both the same but for 1e-12.
+# Mass (kg) of a body at the hinge for explicit solvers. Exudyn's explicit solvers hold a coordinate by setting its
+# acceleration to zero after solving with the full mass matrix. Where masses are coupled, as in this element, the motion is
+# wrong (0.1 m here) without a warning. A body this heavy reduces the error to 1e-12.
 ANCHOR = 1e12
 
 
@@ -16,7 +16,7 @@ class Model:
 
     def __init__(self, scene, options):
         if options.is_explicit and len(scene.rods) > 1:
-            raise ValueError("the peer's explicit solvers know no pins between rods")
+            raise ValueError("the peer's explicit solvers have no pins between rods")
         self.scene, self.options = scene, options
         self.container = exu.SystemContainer()
         self.mbs = self.container.AddSystem()
@@ -40,7 +40,7 @@ class Model:
         self.mbs.Assemble()
 
     def add_rod(self, rod):
-        """Nodes, elements and weight of one rod. A relaxed start stretches it away from the origin, its hinge."""
+        """Adds nodes, elements and weight of one rod. A relaxed start stretches it from its hinge at the origin."""
         scene, count = self.scene, self.options.elements
         start, end = (scene.points[name] for name in rod.ends)
         length = scene.length(rod)
@@ -59,15 +59,15 @@ class Model:
         self.add_weight(nodes, length / count)
         if rod.pivot:
             if count % 2:
-                raise ValueError(f"a rod that is pinned at its middle needs an even number of elements, not {count}")
+                raise ValueError(f"a rod pinned at its middle needs an even number of elements, not {count}")
             self.nodes_at[rod.pivot].append(nodes[count // 2])
         for name, node in zip(rod.ends, (nodes[0], nodes[-1])):
             self.nodes_at[name].append(node)
 
     def add_weight(self, nodes, length):
-        """Gravity as the constant nodal forces that it is; those on inner slopes cancel.
+        """Adds gravity as constant nodal forces; those on inner slopes cancel.
 
-        The same as Exudyn's mass-proportional load on every element to the last digits, and never slower.
+        The result equals that of Exudyn's mass-proportional load on every element to the last digits, and is never slower.
         """
         weight = [self.scene.rho_A * length * g for g in self.scene.gravity]
         ends = (nodes[0], nodes[-1])
@@ -77,32 +77,32 @@ class Model:
             self.load(node, [sign * w * length / 12 for w in weight], first=2)
 
     def coordinate(self, node, axis):
-        """A marker of one of a node's coordinates: position x, y, slope x, y. The ground has one, which is zero."""
+        """A marker of one coordinate of a node: position x, y, slope x, y. The ground has a single one, zero."""
         axis = 0 if node == self.ground else axis
         return self.mbs.AddMarker(item.MarkerNodeCoordinate(nodeNumber=node, coordinate=axis))
 
     def load(self, node, force, first=0):
-        """A constant force on two coordinates of a node: its position (first = 0) or its slope (2)."""
+        """Adds a constant force on two coordinates of a node: position (first = 0) or slope (first = 2)."""
         for axis, value in enumerate(force, first):
             if value:
                 self.mbs.AddLoad(item.LoadCoordinate(markerNumber=self.coordinate(node, axis), load=value))
 
     def tie(self, one, other, axes):
-        """The same displacement of two nodes along some axes. Exudyn's revolute joint takes as long."""
+        """Ties the displacements of two nodes along some axes. Exudyn's revolute joint takes as long."""
         for axis in axes:
             markers = [self.coordinate(node, axis) for node in (one, other)]
             self.mbs.AddObject(item.ObjectConnectorCoordinate(markerNumbers=markers))
 
     def hold(self, node, axes):
-        """A node held along some axes."""
+        """Holds a node along some axes."""
         self.tie(self.ground, node, axes)
         if self.options.is_explicit and self.options.anchored:
             self.mbs.AddObject(item.ObjectMassPoint2D(physicsMass=ANCHOR, nodeNumber=node))
 
     def heat(self, mbs, t):
-        """Called by Exudyn before each step with the time at the step's end, where its equations hold.
+        """Sets the temperature; Exudyn calls it before each step with the time of the step's end.
 
-        Setting a parameter takes microseconds, so it is done while the temperature changes only.
+        Setting a parameter takes microseconds, so that it is done only while the temperature changes.
         """
         strain = self.scene.thermal_strain(t)
         if strain != self.strain:

@@ -1,18 +1,18 @@
-"""How one run is made: method, mesh, step, and what a user may choose in the peer's solver."""
+"""Options of one run: method, mesh, step, and choices of the peer's solver."""
 
 from dataclasses import dataclass
 
 EXPLICIT = ("velocity-verlet", "rk44")
 IMPLICIT = ("generalized-alpha", "trapezoidal")
 
-# Gauss rules of order 9 (five points) for the axial strain and 5 (three points) for bending, as in our element;
-# 1 stands for Exudyn's rules of orders 7 and 3, which are another element.
+# 0: Gauss rules of order 9 (five points) for the axial strain and 5 (three points) for bending, as in our element.
+# 1: Exudyn's rules of orders 7 and 3, a different element.
 FULL_INTEGRATION, REDUCED_INTEGRATION = 0, 1
 
 
 @dataclass(frozen=True)
 class Options:
-    """One point of the grid; `newton_tolerance` and `modified_newton` mean nothing to an explicit method."""
+    """One point of the grid; `newton_tolerance` and `modified_newton` have no effect in explicit methods."""
 
     method: str
     elements: int  # of each rod
@@ -21,9 +21,9 @@ class Options:
     modified_newton: bool = True
     linear_solver: str = "EigenSparse"
     integration: int = FULL_INTEGRATION
-    anchored: bool = True  # see `model.ANCHOR`; only `check` goes without
+    anchored: bool = True  # see `model.ANCHOR`; False only in `check`
 
     @property
     def is_explicit(self):
-        """Whether the method solves no equations in a step, and so has no multipliers."""
+        """Whether the method is explicit: it solves no equations in a step and has no multipliers."""
         return self.method in EXPLICIT

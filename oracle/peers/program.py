@@ -1,11 +1,11 @@
-"""Exudyn itself: its fast build, silent, and with nobody's stored settings. ImportError where it is not installed."""
+"""Exudyn: fast build, silent, without stored user settings. ImportError where it is not installed."""
 
 import contextlib
 import io
 import os
 import sys
 
-# Has to be said before the first import: the build without range checks, and no settings from the user's folder.
+# Must be set before the first import: the build without range checks, no settings from the user's folder.
 sys.exudynFast = True
 os.environ["EXUDYN_NO_USER_SETTINGS"] = "1"
 

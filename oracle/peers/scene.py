@@ -1,6 +1,6 @@
-"""A scene file as a peer needs it: straight rods, what holds and pulls them, heat along them. Plain floats.
+"""A scene file as a peer needs it, in plain floats: straight rods, supports, forces, heat along the rods.
 
-`oracle/scene.py` reads scenes as exact numbers and needs the libraries for them; a peer does not.
+`oracle/structure/scene.py` reads scenes as exact numbers and needs the libraries for them; this reader does not.
 """
 
 import json
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from math import dist, isclose
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parents[2] / "src" / "scenes"
+FOLDER = Path(__file__).resolve().parents[2] / "src" / "model" / "scenes"
 SCHEMA = "ancf-scene/1"
 KNOWN = {"schema", "title", "notes", "material", "section", "points", "rods", "supports", "gravity", "forces",
          "temperature", "time", "output", "probes"}
@@ -25,12 +25,12 @@ class Rod:
 
 @dataclass(frozen=True)
 class Scene:
-    """What the scenes of `src/scenes` that a peer runs have in common. SI units."""
+    """A scene of `src/model/scenes` that a peer can run. SI units."""
 
     name: str
     points: dict[str, tuple[float, float]]
     rods: tuple[Rod, ...]
-    fixed: tuple[tuple[str, tuple[int, ...]], ...]  # a point's name, and which of x = 0, y = 1 is held
+    fixed: tuple[tuple[str, tuple[int, ...]], ...]  # name of a point, held axes (x = 0, y = 1)
     forces: tuple[tuple[str, tuple[float, float]], ...]
     gravity: tuple[float, float]
     EA: float
@@ -63,7 +63,7 @@ class Scene:
 
 
 def read(name):
-    """The scene of that name; ValueError if it has something that a peer would silently leave out."""
+    """The scene of that name; ValueError if it has a feature that a peer would silently leave out."""
     with open(FOLDER / f"{name}.json", encoding="utf-8") as file:
         scene = json.load(file)
     supports = scene.get("supports", [])
@@ -75,7 +75,7 @@ def read(name):
         (all(set(support) == {"point", "fix"} for support in supports), "a support that is not a hinge"),
     ):
         if not has:
-            raise ValueError(f"scene {name} has {what}, which the peers' reader does not know")
+            raise ValueError(f"scene {name} has {what}, which the peers' reader does not support")
     material, section, heat = scene["material"], scene["section"], scene.get("temperature", {})
     h, w, E = section["height"], section["width"], material["E"]
     found = Scene(

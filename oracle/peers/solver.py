@@ -1,4 +1,4 @@
-"""One solve: the settings, the call with its time, and what came of it."""
+"""One solve: settings, timed call, result."""
 
 import math
 import time
@@ -14,16 +14,16 @@ SOLVERS = {
     "rk44": exu.DynamicSolverType.RK44,
 }
 SPECTRAL_RADIUS = 0.9
-FAR = 1.5  # times the length of all rods: beyond it nothing can be, so that a step was too long
+FAR = 1.5  # multiple of the total length of the rods; no point can be farther unless the step was too long
 
 
 class Failed(Exception):
-    """Why a run has no result."""
+    """Reason why a run has no result."""
 
 
 @dataclass(frozen=True)
 class Result:
-    """The seconds of the solve call, the counters of the solver, and the probe's position at times t."""
+    """Time of the solve call (s), counters of the solver, position of the probe at the times t."""
 
     seconds: float
     newton_iterations: int
@@ -34,7 +34,7 @@ class Result:
 
 
 def settings(options, end, interval):
-    """Fixed steps, one thread, nothing printed or written; the rest is Exudyn's default."""
+    """Settings: fixed steps, one thread, no output; otherwise Exudyn's defaults."""
     chosen = exu.SimulationSettings()
     integration = chosen.timeIntegration
     integration.endTime = end
@@ -57,7 +57,7 @@ def settings(options, end, interval):
 
 
 def why(error, mbs):
-    """A sentence on a solve that Exudyn gave up: its own message is in general only that it did."""
+    """Message for a solve that failed: Exudyn's own, with time, iterations and residual."""
     at = mbs.sys["dynamicSolver"]
     message = " ".join(str(error).split())[:120] or type(error).__name__
     where = f"t = {at.it.currentTime:.6g} s, {at.it.newtonSteps} iterations, residual {at.conv.residual:.3g}"
@@ -78,11 +78,11 @@ def solve(scene, options, interval, end=None):
     rows = [row for row in model.mbs.GetSensorStoredData(model.sensor).tolist() if row[0] > interval / 2]
     t = [k * interval for k in range(1, round(end / interval) + 1)]
     if len(rows) != len(t) or any(abs(row[0] - at) > 1e-9 for row, at in zip(rows, t)):
-        raise Failed(f"{len(rows)} positions of the probe, not at the {len(t)} sample times")
+        raise Failed(f"{len(rows)} positions of the probe do not match the {len(t)} sample times")
     x, y = ([row[i] for row in rows] for i in (1, 2))
     reach = FAR * sum(map(scene.length, scene.rods))
-    if not all(math.hypot(*place) < reach for place in zip(x, y)):  # false of what is not a number, too
-        raise Failed("the motion grew without bound, and Exudyn did not say so")
+    if not all(math.hypot(*place) < reach for place in zip(x, y)):  # also false for NaN
+        raise Failed("the motion grew without bound, which Exudyn did not report")
     counts = model.mbs.sys["dynamicSolver"].it
     return Result(seconds, counts.newtonStepsCount, counts.newtonJacobiCount, t, x, y)
 

@@ -1,4 +1,4 @@
-"""The results as a table, and where they come from as JSON beside it. Files appear whole or not at all."""
+"""Results as a CSV table with their provenance as JSON. Files appear whole or not at all."""
 
 import csv
 import datetime
@@ -17,12 +17,12 @@ COLUMNS = ("scene,program,version,element,method,elements,step,newton_tolerance,
 
 
 def numbers(values):
-    """A list in one field, every digit kept."""
+    """A list in one field with all digits."""
     return " ".join(map(repr, values))
 
 
 def row(scene, options, results, reason=""):
-    """One line of the table, of the results of equal runs; without any, of a failure and its reason."""
+    """One line of the table from the results of equal runs, or from a failure and its reason."""
     line = dict.fromkeys(COLUMNS, "") | {
         "scene": scene.name, "program": "Exudyn", "version": VERSION, "element": "ANCFCable2D",
         "method": options.method, "elements": options.elements, "step": repr(scene.end / options.steps),
@@ -43,7 +43,7 @@ def row(scene, options, results, reason=""):
 
 
 def processor():
-    """The processor's model, as far as the system tells."""
+    """Model of the processor, if the system reports it."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
         return next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
@@ -52,7 +52,7 @@ def processor():
 
 
 def provenance(arguments):
-    """What has to be known to judge the times."""
+    """Provenance of the times: program, build, settings, machine, load, date."""
     return {
         "program": "Exudyn",
         "version": VERSION,
@@ -74,14 +74,14 @@ def provenance(arguments):
 
 
 def replace_file(path, text):
-    """Writes beside the file, then renames."""
+    """Replaces a file by writing a new one and renaming it."""
     part = path.with_name(path.name + ".part")
     part.write_text(text, encoding="utf-8", newline="")
     part.replace(path)
 
 
 def write(path, rows, arguments):
-    """`path` with the rows and `path` with the ending .json with their provenance."""
+    """Writes the rows to `path`, and their provenance to `path` with the suffix .json."""
     path.parent.mkdir(parents=True, exist_ok=True)
     text = io.StringIO()
     writer = csv.DictWriter(text, COLUMNS, lineterminator="\n")

@@ -1,6 +1,6 @@
-"""What the paper prints, proved or refuted symbol by symbol: `python -m oracle proofs`.
+"""Printed equations, proved or refuted symbol by symbol: `python -m oracle proofs`.
 
-Each proof asserts, and returns the sentence that it has established.
+Each proof is a function that asserts and returns the sentence it has established.
 """
 
 from .constraint import printed_constraint_force_has_no_meaning

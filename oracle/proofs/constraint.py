@@ -7,12 +7,12 @@ ROWS, COORDINATES = 2, 4
 
 
 def printed_constraint_force_has_no_meaning():
-    """E4. The force of the constraints Phi(q) = 0 is Phi_q^T lambda; Phi_q lambda is printed.
+    """E4. The force of the constraints Phi(q) = 0 is Phi_q^T lambda; the paper prints Phi_q lambda.
 
-    Phi is arbitrary here. The term lambda . Phi of the Lagrangian has the derivative Phi_q^T lambda, and
-    that force does the work lambda . (Phi_q dq), none in a displacement dq that the constraints admit.
-    Phi_q lambda has an entry a constraint, not a coordinate, and in general there are fewer. Where the
-    numbers are equal it is a wrong force: one point (u, v) held twice on the line v = 0 is pushed along it.
+    Phi is arbitrary. The term lambda . Phi of the Lagrangian has the derivative Phi_q^T lambda. That force does the work
+    lambda . (Phi_q dq), which is zero for admissible displacements dq. Phi_q lambda has one entry per constraint, not per
+    coordinate. Where both numbers are equal it is a wrong force: a point (u, v) held twice on the line v = 0 is pushed
+    along the line.
     """
     q = sympy.Matrix(sympy.symbols(f"q_1:{COORDINATES + 1}"))
     dq = sympy.Matrix(sympy.symbols(f"dq_1:{COORDINATES + 1}"))
@@ -36,5 +36,4 @@ def printed_constraint_force_has_no_meaning():
     assert twice * admitted == sympy.zeros(2, 1)
     assert (twice.T * multipliers).dot(admitted) == 0
     assert (twice * multipliers).dot(admitted) == multipliers[1] != 0
-    return ("E4: Phi_q^T lambda does no work in a displacement that the constraints admit; Phi_q lambda is "
-            "undefined, or does work")
+    return ("E4: Phi_q^T lambda does no work in an admissible displacement; Phi_q lambda is undefined, or does work")

@@ -1,32 +1,32 @@
-"""The strain energy (18) and what (19)-(21) take from it."""
+"""The strain energy (18) and its derivatives (19)-(21)."""
 
 from itertools import product
 
 import sympy
 from sympy import Rational, diff, expand, integrate, simplify
 
-from .. import field
-from ..element import DOF, Element
-from ..field import l, x, y
-from ..fixture import to_sympy
-from ..state import Q, field_in, make, nodes, scatter, straight
-from ..states import DOWN_46, EAST, PENDULUM, TABLE_1, states
+from ..element import field
+from ..element.element import DOF, Element
+from ..element.field import l, x, y
+from ..element.state import Q, field_in, make, nodes, scatter, straight
+from ..element.states import DOWN_46, EAST, PENDULUM, TABLE_1, states
+from ..fixtures.fixture import to_sympy
 from .strain import I, R, theta
 
 h, w, lam, mu = sympy.symbols("h w lambda mu", positive=True)
 
 
 def density(E, shear_weight):
-    """Energy density of (18) with a weight for E_12: 4 mu makes it the contraction, 2 mu is printed."""
+    """Energy density of (18) with a weight for E_12^2/2: 4 mu for the full contraction, 2 mu as printed."""
     same = (lam + 2 * mu) / 2 * (E[0, 0] ** 2 + E[1, 1] ** 2) + lam * E[0, 0] * E[1, 1]
     return same + shear_weight / 2 * E[0, 1] ** 2
 
 
 def printed_K_3_loads_an_undeformed_element():
-    """E2. K_3 e with the printed -1 does work in a pure shear of the undeformed element.
+    """E2. The force K_3 e with the printed -1 does work in a pure shear of the undeformed element.
 
-    The element is straight at any angle. S_c1 e is the derivative of e^T S_c e = (J^T J)_12, and
-    the derivation takes that of the energy's part with eps_3^2/2, eps_3 = (J^T J)_12/2.
+    The element is straight at any angle. S_c1 e is the derivative of e^T S_c e = (J^T J)_12. The right force is the
+    derivative of the energy's part eps_3^2/2 with eps_3 = (J^T J)_12/2.
     """
     step = sympy.symbols("step")
 
@@ -50,11 +50,11 @@ def printed_K_3_loads_an_undeformed_element():
 
 
 def printed_shear_depends_on_the_frame():
-    """E3. Turning an element with everything on it must not change its energy.
+    """E3. A rotation of an element with its initial state must not change the energy.
 
-    At any point of any state, let G be dr/d(x, y) with the element laid along the first axis. At
-    the inclination theta the gradient is J = R G R^T. As R^T R = I, the strain is R E R^T, and so
-    is the thermal strain of either model. What holds of the density then holds of its integral U.
+    At any point of any state, let G be dr/d(x, y) with the initial element along the first axis. At the inclination
+    theta the gradient is J = R G R^T. As R^T R = I, the strain is R E R^T, as is the thermal strain of either model. The
+    result for the density carries over to its integral U.
     """
     assert simplify(R.T * R) == I
     E_11, E_22, E_12 = sympy.symbols("E_11 E_22 E_12")
@@ -82,10 +82,10 @@ def printed_shear_depends_on_the_frame():
 
 
 def printed_shear_softens_an_inclined_rod():
-    """E3 in numbers, at nu = 0: the compliance of a slender rod by its inclination.
+    """E3 at nu = 0: the compliance of a slender rod as a function of its inclination.
 
-    In bending the strain across the section, linear in y, can only be axial: t t^T. In tension the
-    other two components, uniform over the section, take the values of least energy.
+    In bending the strain is axial, t t^T, and linear in y over the section. In tension the other two components are
+    uniform over the section and take the values of least energy.
     """
     t, n = R[:, 0], R[:, 1]
     across, slip = sympy.symbols("across slip")
@@ -108,8 +108,8 @@ def printed_shear_softens_an_inclined_rod():
 def five_by_three_points_are_exact():
     """The integrand of (21) has degree 8 in x and 4 in y for a straight element, level or inclined.
 
-    The pairs name the strain eps_k and the second derivative of eps_n that K_1, K_2 and K_3
-    multiply; n Gauss points integrate the degree 2 n - 1 exactly.
+    K_1, K_2 and K_3 are integrals of products of eps_k with the second derivative of eps_n, for these pairs k, n.
+    n Gauss points integrate polynomials of degree 2 n - 1 exactly.
     """
     pairs = ((0, 0), (1, 1), (0, 1), (1, 0), (2, 2))
     for direction in (EAST, DOWN_46):
@@ -127,10 +127,10 @@ def five_by_three_points_are_exact():
 
 
 def force_and_tangent_are_differences():
-    """Q_e and the tangent against five-point differences of U, which are exact as U is quartic in e.
+    """Q_e and the tangent equal five-point differences of U, which are exact because U is quartic in e.
 
-    Here U is integrated by sympy at five numerical states, with the density above: no step but the
-    derived shape functions is shared with the polynomials in e that the fixture differentiates.
+    U is integrated by sympy in five numerical states, with the density above. Only the shape functions are shared with
+    the polynomials in e that the fixture differentiates.
     """
     state = next(state for state in states() if state.id == "random-bar-2d")
     element = Element(state)
@@ -163,11 +163,11 @@ def force_and_tangent_are_differences():
 
 
 def poisson_on_the_axis_frees_the_thickness():
-    """The second derivative of U in pure bending, where sections turn and cannot widen on one side.
+    """Second derivative of U in pure bending, where sections rotate and cannot widen on one side.
 
-    Consistently it is (lambda + 2 mu) I l, which is E* I l times (1 - nu)^2/(1 - 2 nu); with Poisson's terms
-    on the axis it is E* I l, the plane-strain beam's. In uniform stretch both have the same, with the
-    thickness held and free.
+    For the consistent energy it is (lambda + 2 mu) I l, which is E* I l times (1 - nu)^2/(1 - 2 nu). With Poisson's terms
+    on the axis it is E* I l, that of the plane-strain beam. In uniform stretch both energies agree, with the thickness
+    held and free.
     """
     state = next(state for state in states() if state.id == "rest-vertical")
     element = Element(state)
@@ -187,4 +187,4 @@ def poisson_on_the_axis_frees_the_thickness():
         for energy in (element.energy, element.energy_axis):
             assert curvature(energy, *stretch) == stiffness * volume
     ratio = float(to_sympy((1 - nu) ** 2 / (1 - 2 * nu)))
-    return f"axis: in bending at nu = 0.3 the consistent element is {ratio:.4f} times too stiff, with axis.U not"
+    return f"axis: in bending at nu = 0.3 the consistent element is {ratio:.4f} times too stiff; axis.U is not"

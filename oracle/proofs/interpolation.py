@@ -3,14 +3,14 @@
 import sympy
 from sympy import expand
 
-from .. import field
-from ..field import NODAL, l, x, y
+from ..element import field
+from ..element.field import NODAL, l, x, y
 
 
 def a_1_is_misprinted():
-    """E1. (A.2) solved for (A.1) gives (A.3), but for the sign before r_k in a_1.
+    """E1. Solving (A.2) for (A.1) gives (A.3), except for the sign of r_k in a_1.
 
-    With that coefficient as printed the field misses its node at x = l.
+    With a_1 as printed the field does not pass through its node at x = l.
     """
     derived, printed = field.coefficients(), field.coefficients_printed()
     excess = [expand(p - d) for p, d in zip(printed, derived)]
@@ -20,11 +20,11 @@ def a_1_is_misprinted():
     residuals = [v - q for v, q in zip(field.nodal_values(field.polynomial(derived)), NODAL)]
     assert not any(map(expand, residuals))
     assert expand(field.polynomial(printed).subs({x: l, y: 0})) == -r_k
-    return "E1: a_1 as printed is off by -2 r_k/l, and puts the node at x = l at -r_k"
+    return "E1: a_1 as printed is wrong by -2 r_k/l and places the end x = l at -r_k"
 
 
 def coefficients_start_at_zero():
-    """E5. The polynomial needs its a_0: without it the field vanishes at x = y = 0, whatever r_i."""
+    """E5. The polynomial needs a_0: without it the field vanishes at x = y = 0 for any r_i."""
     without = field.polynomial((0, *sympy.symbols("a_1:7")))
     assert len(field.MONOMIALS) == 7
     assert field.nodal_values(without)[0] == 0

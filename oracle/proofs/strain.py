@@ -10,10 +10,9 @@ I = sympy.eye(2)
 
 
 def printed_forms_of_the_metric_hold():
-    """(11) as printed gives J^T J, and with S_c in the order that (10) needs.
+    """(11) as printed gives J^T J, with S_c in the order that (10) needs.
 
-    For two fields with the gradients G and H in x and y, e^T S_a f holds S_ix e = G_i1,
-    S_iy e = G_i2, S_ix f = H_i1 and S_iy f = H_i2.
+    Two fields have the gradients G and H in x and y: S_ix e = G_i1, S_iy e = G_i2, S_ix f = H_i1, S_iy f = H_i2.
     """
     G = sympy.Matrix(2, 2, sympy.symbols("g_1x g_1y g_2x g_2y"))
     H = sympy.Matrix(2, 2, sympy.symbols("h_1x h_1y h_2x h_2y"))
@@ -32,10 +31,10 @@ def printed_forms_of_the_metric_hold():
 
 
 def thermal_stretch_is_a_root():
-    """Heat is subtracted from the Green-Lagrange strain, so it sets the square of the stretch.
+    """The stress-free stretch is sqrt(1 + 2 alpha dT), not 1 + alpha dT.
 
-    Without stress the stretch is sqrt(1 + 2 alpha dT), not 1 + alpha dT: in both directions in the
-    2D model, along the initial axis in the 1D model.
+    Heat is subtracted from the Green-Lagrange strain and so determines the square of the stretch: in both directions in
+    the 2D model, along the initial axis in the 1D model.
     """
     t = R[:, 0]
     root, naive = sqrt(1 + 2 * alpha_dT), 1 + alpha_dT
@@ -54,5 +53,5 @@ def thermal_stretch_is_a_root():
         excess = elastic(J(naive), alpha_dT * direction).trace()
         assert simplify(excess) == heated * alpha_dT**2 / 2
     assert elastic(axial(root), sympy.diag(alpha_dT, 0)) != sympy.zeros(2)
-    return ("the stretch without stress is sqrt(1 + 2 alpha dT); "
-            "[alpha dT, 0, 0] would heat along x, not along the rod")
+    return ("the stress-free stretch is sqrt(1 + 2 alpha dT); "
+            "[alpha dT, 0, 0] would be heat along x, not along the rod")

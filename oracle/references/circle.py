@@ -1,18 +1,17 @@
-"""A cantilever bent by the moment 2 pi E I/L at its end: a circle, and what the Green-Lagrange strain makes of it.
+"""A cantilever under the moment 2 pi E I/L at its end: a circle, and its change under the Green-Lagrange strain.
 
-(a) Inextensible, M = E I phi': phi' = 2 pi/L, and the tip is back at the clamp.
+(a) Inextensible, M = E I phi': phi' = 2 pi/L, and the tip returns to the clamp.
 
-(b) The paper's field r + y d, nu = 0, thickness free. Uniform bending: |r'| = a, |d| = c, turning by k for each
-unit of initial length, so that the deformation gradient is R diag(a - y c k, c) with a rotation R. The energy of
-a unit length is
+(b) The paper's field r + y d, nu = 0, thickness free. Uniform bending: |r'| = a, |d| = c, rotation by k per unit of
+initial length. The deformation gradient is R diag(a - y c k, c) with a rotation R. The energy of a unit length is
 
     W(a, c, k) = E w/2 int (E_11^2 + E_22^2) dy,   E_11 = ((a - y c k)^2 - 1)/2,   E_22 = (c^2 - 1)/2.
 
-No axial force and no force through the thickness: dW/da = dW/dc = 0; the moment is dW/dk. With z = (h k)^2
+Without axial force and force through the thickness, dW/da = dW/dc = 0; the moment is dW/dk. With z = (h k)^2
 
     c^2 = (1 - z/6)/(1 - z^2/20),   a^2 = 1 - z c^2/4,   M = E I k c^2 (1 - 3 z c^2/10),
 
-which `law` proves. The rod softens as it bends; its axis is shorter, and it turns by k L > 2 pi.
+which `law` proves. The rod softens as it bends: its axis shortens, and it rotates by k L > 2 pi.
 """
 
 import sympy
@@ -28,7 +27,7 @@ METHODS = ("closed form with one root", "stationarity of the energy by quadratur
 
 
 def law():
-    """c^2, a^2 and M/(E I) in k and h, after they were found to make W stationary."""
+    """c^2, a^2 and M/(E I) as functions of k and h; they must make W stationary."""
     a, c, k, h, y = sympy.symbols("a c k h y", positive=True)
     E_11, E_22 = ((a - y * c * k) ** 2 - 1) / 2, (c**2 - 1) / 2
     W = sympy.integrate(sympy.expand(E_11**2 + E_22**2), (y, -h / 2, h / 2)) / 2
@@ -43,13 +42,13 @@ def law():
 
 
 def tip(a, c, k, L):
-    """The values of a rod of length L that turns by k for each unit of it."""
+    """Values for a rod of length L that rotates by k per unit of length."""
     return {"stretch": a, "thickness": c, "turned": k * L, "tip.x": a / k * mp.sin(k * L),
             "tip.y": a / k * (1 - mp.cos(k * L))}
 
 
 def by_closed_form(h, L, closed):
-    """From the law: the root k of M(k)/(E I) = 2 pi/L that grows from the unloaded rod."""
+    """Values from the law: root k of M(k)/(E I) = 2 pi/L on the branch of the unloaded rod."""
     C, A, M = closed
     full = 2 * mp.pi / L
     k = mp.findroot(lambda k: M(k, h) - full, full * (1 + (h * full) ** 2 / 2))
@@ -57,7 +56,7 @@ def by_closed_form(h, L, closed):
 
 
 def by_energy(h, L):
-    """The same from dW = M dk alone, the integral over the thickness by Gauss's rule (exact for degree 4)."""
+    """Values from dW = M dk alone, with the integral over the thickness by Gauss's rule (exact for degree 4)."""
     x = mp.sqrt(mpf(3) / 5)
     rule = [(-x * h / 2, 5 * h / 18), (mpf(0), 8 * h / 18), (x * h / 2, 5 * h / 18)]
     I = h**3 / 12
@@ -75,7 +74,7 @@ def by_energy(h, L):
 
 
 def entries():
-    """The elastica, and three heights."""
+    """Entries: the elastica, and the Green-Lagrange rod with three heights."""
     closed = law()
     with mp.workdps(value.WORKING):
         L = mpf(1)

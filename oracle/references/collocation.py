@@ -1,8 +1,8 @@
 """Boundary value problems of a smooth function on 0 <= s <= 1 by Chebyshev collocation, to many digits.
 
-Points s_j = (1 - cos(j pi/n))/2, the polynomial through the unknown values there, its derivatives by
-differentiation matrices (Trefethen 2000, chapter 6), Newton's iteration. The error falls geometrically with n.
-Residuals have all digits, the iteration's matrix those of a double: each iteration gains about eight.
+Points s_j = (1 - cos(j pi/n))/2, the polynomial through the unknown values there, differentiation matrices (Trefethen
+2000, chapter 6), Newton's iteration. The error decreases geometrically with n. Residuals have all digits, the matrix of
+the iteration is in double precision: each iteration gains about eight digits.
 """
 
 from functools import cache
@@ -12,17 +12,17 @@ from mpmath import mp, mpf
 
 POINTS = 48
 
-# Five or so are needed; more only where the guess is far off.
+# About five are needed, more for a poor first guess.
 ITERATIONS = 60
 
 
 @cache
 def derivative(n=POINTS):
-    """The matrix of the derivative by s."""
+    """Matrix of the derivative by s."""
     t = [mp.cos(j * mp.pi / n) for j in range(n + 1)]
     c = [(2 if j in (0, n) else 1) * (-1) ** j for j in range(n + 1)]
     D = [[-2 * mpf(c[i]) / c[j] / (t[i] - t[j]) if i != j else mpf(0) for j in range(n + 1)] for i in range(n + 1)]
-    # A constant has no derivative.
+    # The derivative of a constant is zero: this sets the diagonal.
     for i, row in enumerate(D):
         row[i] = -mp.fsum(row)
     return D
@@ -30,7 +30,7 @@ def derivative(n=POINTS):
 
 @cache
 def weights(n=POINTS):
-    """Clenshaw and Curtis's weights (n even): integrals over 0 <= s <= 1 of what has these values at the points."""
+    """Weights of Clenshaw and Curtis (n even) for integrals over 0 <= s <= 1 from values at the points."""
 
     def weight(j):
         theta = j * mp.pi / n
@@ -42,12 +42,12 @@ def weights(n=POINTS):
 
 
 def integral(values):
-    """Over 0 <= s <= 1."""
+    """Integral over 0 <= s <= 1 from values at the points."""
     return mp.fdot(weights(), values)
 
 
 def solve(f, df, loads):
-    """phi at the points, for phi'' = f(phi, load), phi(0) = 0, phi'(1) = 0; load by load up to the last."""
+    """phi at the points for phi'' = f(phi, load), phi(0) = 0, phi'(1) = 0, by load steps up to the last load."""
     D = derivative()
     matrix = np.array(D, float)
     second = matrix @ matrix
@@ -57,7 +57,7 @@ def solve(f, df, loads):
             slope = _times(D, phi)
             residual = [a - f(angle, load) for a, angle in zip(_times(D, slope), phi)]
             A = second - np.diag([float(df(angle, load)) for angle in phi])
-            # The two conditions stand in the rows of the two ends.
+            # Boundary conditions replace the rows of the two ends.
             residual[0], residual[-1] = phi[0], slope[-1]
             A[0], A[-1] = np.eye(len(D))[0], matrix[-1]
             size = max(map(abs, residual))

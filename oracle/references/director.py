@@ -1,20 +1,20 @@
-"""The limit of the paper's element with many elements: the cantilever of its field and its strain energy.
+"""Limit of the paper's element for many elements: the cantilever of its field and its strain energy.
 
-The field r(s) + y d(s), which (A.1) is within an element, with p = r' and kappa = d' has the deformation gradient
-[p + y kappa, d]. The energy of a unit length, per w,
+The field r(s) + y d(s), which is (A.1) within an element, has the deformation gradient [p + y kappa, d] with p = r' and
+kappa = d'. The energy of a unit length, divided by w,
 
     W(p, d, kappa) = int lambda/2 (E_11 + E_22)^2 + mu (E_11^2 + E_22^2 + 2 E_12^2) dy,
     2 E_11 = |p + y kappa|^2 - 1,   2 E_22 = |d|^2 - 1,   2 E_12 = (p + y kappa) . d,
 
-is a polynomial. A dead load F downwards at the tip, the clamp as scenes have it: r and the section's direction held,
-its height free. Two methods:
+is a polynomial. The load is a dead load F downwards at the tip; the clamp is that of scenes, which holds r and the
+direction of the section and leaves its height free. Two methods:
 
   * the equations of equilibrium dW/dp = (0, -F/w), (dW/dkappa)' = dW/dd with dW/dkappa = 0 where nothing holds d,
     by Chebyshev collocation of p and d;
   * the least potential energy among Legendre polynomials p and d (Rayleigh and Ritz), Gauss's rule.
 
-Both by Newton's iteration in double precision, load by load, then refined with residuals of all digits. What is found
-is the limit of any conforming element of this field and energy; Reissner's law has another one.
+Both use Newton's iteration in double precision, by load steps, and then refine with residuals of all digits. The result
+is the limit of any conforming element of this field and energy. Reissner's law has a different limit.
 """
 
 from functools import cache
@@ -29,17 +29,17 @@ SOURCE = "law: the paper's strain energy, (18) with (13)-(17) at no heat; limit 
 UNITS = {"tip.x": "m", "tip.y": "m"}
 METHODS = ("Chebyshev collocation of equilibrium", "Rayleigh and Ritz's method with Legendre polynomials")
 
-# The thickness has layers of h/5 at both ends, which polynomials resolve by and by: fewer digits than elsewhere.
+# The thickness has boundary layers of h/5 at both ends, which polynomials resolve slowly: fewer digits than elsewhere.
 DIGITS = 16
-# By beam: points of collocation, Legendre polynomials.
+# For each beam: collocation points, Legendre polynomials.
 FINE = {"stubby": (40, 28), "slender": (64, 48)}
-# Loads on the way.
+# Load steps.
 STEPS = 6
 
 
 @cache
 def section():
-    """dW/d(p, d, kappa) and the second derivatives, as functions of these six and of the section's numbers."""
+    """First and second derivatives of W by (p, d, kappa), as functions of these six and of the section's constants."""
     z = sympy.symbols("p_1 p_2 d_1 d_2 k_1 k_2")
     numbers = area, inertia, fourth, lame, mu = sympy.symbols("area inertia fourth lame mu")
     y = sympy.Symbol("y")
@@ -47,7 +47,7 @@ def section():
     fibre = p + y * k
     E_11, E_22, E_12 = (fibre.dot(fibre) - 1) / 2, (d.dot(d) - 1) / 2, fibre.dot(d) / 2
     density = sympy.expand(lame / 2 * (E_11 + E_22) ** 2 + mu * (E_11**2 + E_22**2 + 2 * E_12**2))
-    # Integrals of y^n over the height stand as symbols, so that no third is rounded to a double.
+    # Integrals of y^n over the height remain symbols, so that no fraction is rounded to a double.
     W = sum(moment * density.coeff(y, n) for n, moment in ((0, area), (2, inertia), (4, fourth)))
     arguments = (*z, *numbers)
     first = [W.diff(a) for a in z]
@@ -56,7 +56,7 @@ def section():
 
 
 class Cantilever:
-    """Of unit length and unit modulus; `numbers` are those of the section."""
+    """A cantilever of unit length and unit modulus; `numbers` are the constants of the section."""
 
     def __init__(self, L, h, w, E, nu, F):
         L, h, w, E, nu, F = map(value.exact, (L, h, w, E, nu, F))
@@ -65,17 +65,17 @@ class Cantilever:
         self.numbers = (height, height**3 / 12, height**5 / 80, 2 * mu * nu / (1 - 2 * nu), mu)
 
     def forces(self, z):
-        """dW/dz at all points, z of doubles or of mpmath's numbers."""
+        """dW/dz at all points, for z in doubles or in mpmath's numbers."""
         numbers = self.numbers if z[0].dtype == object else map(float, self.numbers)
         return section()[0](*z, *numbers)
 
     def stiffness(self, z):
-        """Second derivatives in double precision: 6 by 6 numbers at each point."""
+        """Second derivatives in double precision, 6 by 6 numbers at each point."""
         rows = section()[1](*z, *map(float, self.numbers))
         return np.array([[entry + 0 * z[0] for entry in row] for row in rows])
 
     def tip(self, method):
-        """Of a method: r(1) = int p."""
+        """Tip position by a method: r(1) = int p."""
         x = method.straight()
         for step in range(1, STEPS + 1):
             x = newton(method, x, self.F * step / STEPS, float)
@@ -84,9 +84,9 @@ class Cantilever:
 
 
 def newton(method, x, load, kind):
-    """The solution near x in doubles (`float`), or in mpmath's numbers (`object`) with a matrix of doubles."""
+    """Solution near x, in doubles (`float`) or in mpmath's numbers (`object`) with a matrix of doubles."""
     x = np.array([mpf(entry) for entry in x] if kind is object else x, kind)
-    # What is left after a change is far smaller than it.
+    # The error after a correction is far smaller than the correction.
     smallest = mpf(10) ** (-DIGITS - 2) if kind is object else 1e-9
     load = load if kind is object else float(load)
     for _ in range(60):
@@ -102,7 +102,7 @@ def newton(method, x, load, kind):
 
 
 class Collocation:
-    """Unknowns: p_1, p_2, d_1, d_2 at Chebyshev's points."""
+    """Collocation; unknowns: p_1, p_2, d_1, d_2 at Chebyshev's points."""
 
     def __init__(self, rod, points):
         self.rod, self.n = rod, points + 1
@@ -120,7 +120,7 @@ class Collocation:
         D = self.D if x.dtype == object else self.D.astype(float)
         p_1, p_2, d_1, d_2, k_1, k_2 = self.rod.forces(self.fields(x, D))
         rows = [p_1, p_2 + load, D @ k_1 - d_1, D @ k_2 - d_2]
-        # The clamp holds the section's direction; elsewhere no moment and no force through the height.
+        # The clamp holds the direction of the section; no moment and no force through the height elsewhere at the ends.
         rows[2][0], rows[3][0], rows[2][-1], rows[3][-1] = x[2 * self.n], k_2[0], k_1[-1], k_2[-1]
         return np.concatenate(rows)
 
@@ -139,7 +139,7 @@ class Collocation:
 
 
 class Ritz:
-    """Unknowns: the factors of Legendre polynomials in p_1, p_2, d_1, d_2; those of d_1 less their value at s = 0."""
+    """Ritz's method; unknowns: factors of Legendre polynomials in p_1, p_2, d_1, d_2, those of d_1 minus their value at s = 0."""
 
     def __init__(self, rod, degree):
         self.rod = rod
@@ -166,7 +166,7 @@ class Ritz:
     def matrix(self, x):
         basis, weights = self._as(float)
         H = self.rod.stiffness(self.fields(x, basis)) * weights
-        # The unknowns that a field depends on: d' on those of d.
+        # Group of unknowns of each field; d' depends on those of d.
         own = (0, 1, 2, 3, 2, 3)
         blocks = [[sum(basis[i].T @ (H[i, j][:, None] * basis[j]) for i in range(6) for j in range(6)
                        if (own[i], own[j]) == (row, column)) for column in range(4)] for row in range(4)]
@@ -186,7 +186,7 @@ class Ritz:
 
 
 def legendre(points, degree):
-    """P_n and P_n' for n below `degree`; a row for each point of -1 ... 1."""
+    """P_n and P_n' for n below `degree`, with one row per point of -1 ... 1."""
     P, slope = [0 * points + 1, points], [0 * points, 0 * points + 1]
     for n in range(1, degree - 1):
         P.append(((2 * n + 1) * points * P[n] - n * P[n - 1]) / (n + 1))
@@ -195,7 +195,7 @@ def legendre(points, degree):
 
 
 def gauss(m):
-    """Nodes and weights of Gauss's rule with m points, those of doubles refined by Newton's iteration."""
+    """Nodes and weights of Gauss's rule with m points, refined from doubles by Newton's iteration."""
     t = np.array([mpf(node) for node in np.polynomial.legendre.leggauss(m)[0].tolist()], object)
     for _ in range(3):
         before, here = 0 * t + 1, t
@@ -207,7 +207,7 @@ def gauss(m):
 
 
 def entries():
-    """The two cantilevers of `reissner`, nu = 0."""
+    """Entries: the two cantilevers of `reissner` at nu = 0."""
     with mp.workdps(value.WORKING):
         for beam, sizes in reissner.SIZES.items():
             rod = Cantilever(nu=0.0, **sizes)

@@ -21,7 +21,7 @@ UNITS = {"tip.x": "m", "tip.y": "m", "tip.angle": "rad"}
 
 
 def by_elliptic_integrals(load):
-    """Of the rod of length 1."""
+    """Tip of the rod of length 1 from elliptic integrals."""
 
     def moduli(psi_0):
         m = (1 + mp.sin(psi_0)) / 2
@@ -38,20 +38,20 @@ def by_elliptic_integrals(load):
 
 
 def by_collocation(load):
-    """The same from phi'' = load cos phi, phi = -psi the angle of the axis."""
+    """Tip of the rod of length 1 from phi'' = load cos phi, with phi = -psi the angle of the axis."""
     phi = collocation.solve(lambda phi, p: p * mp.cos(phi), lambda phi, p: -p * mp.sin(phi), ramp(load))
     x, y = (collocation.integral([f(angle) for angle in phi]) for f in (mp.cos, mp.sin))
     return {"tip.x": x, "tip.y": y, "tip.angle": phi[-1]}
 
 
 def ramp(load):
-    """Loads on the way to this one, near enough to each other for Newton's iteration."""
+    """Load steps up to this load, small enough for Newton's iteration."""
     steps = int(mp.ceil(load / 2))
     return [mpf(load) * (k + 1) / steps for k in range(steps)]
 
 
 def entries():
-    """One for each load."""
+    """One entry per load."""
     with mp.workdps(value.WORKING):
         for load, table in TABLES.items():
             first = by_elliptic_integrals(mpf(load))

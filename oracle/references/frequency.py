@@ -1,7 +1,7 @@
-"""The first frequencies of bending of Table 1's rod, simply supported and free.
+"""First bending frequencies of the rod of Table 1, simply supported and free.
 
-Euler and Bernoulli: E I v'''' = rho A omega^2 v. Simply supported omega = (n pi/L)^2 sqrt(E I/(rho A)); free the same
-with b_n/L in place of n pi/L, cosh b cos b = 1.
+Euler and Bernoulli: E I v'''' = rho A omega^2 v. Simply supported, omega = (n pi/L)^2 sqrt(E I/(rho A)); free,
+omega = (b_n/L)^2 sqrt(E I/(rho A)) with cosh b cos b = 1.
 
 Timoshenko: k G A (v'' - phi') + rho A omega^2 v = 0, E I phi'' + k G A (v' - phi) + rho I omega^2 phi = 0. Simply
 supported, v ~ sin(b x), phi ~ cos(b x), b = n pi/L:
@@ -15,8 +15,8 @@ and sin, about the middle:
     p (p^2 + O) tan(q L/2) + q (q^2 - O) tanh(p L/2) = 0     symmetric
     p (p^2 + O) tanh(p L/2) - q (q^2 - O) tan(q L/2) = 0     antisymmetric
 
-Free rods have no conditions at their ends that a trial function must meet, so that Rayleigh and Ritz's method with
-Legendre polynomials needs the energies only: the second method.
+The second method is that of Rayleigh and Ritz with Legendre polynomials. It needs only the energies, because a free rod
+has no end conditions that trial functions must satisfy.
 """
 
 import numpy as np
@@ -42,7 +42,7 @@ class Rod:
         self.L, self.EI, self.kGA, self.rhoA, self.rhoI = L, E * I, E / 2 * A, rho * A, rho * I
 
     def determinant(self, omega, symmetric):
-        """Of the free rod's conditions at an end."""
+        """Determinant of the free rod's end conditions."""
         square = omega**2
         O, R = self.rhoA * square / self.kGA, self.rhoI * square / self.EI
         half, rest = (O + R) / 2, O * R - self.rhoA * square / self.EI
@@ -55,13 +55,13 @@ class Rod:
 
 
 def supported(rod):
-    """omega_n of the simply supported rod, Euler and Bernoulli's and Timoshenko's, found to fulfil the equations."""
+    """omega_n of the simply supported rod, Euler-Bernoulli and Timoshenko; they must satisfy the equations."""
     EI, kGA, rhoA, rhoI, b, S = sympy.symbols("EI kGA rhoA rhoI b S", positive=True)
     middle = rhoA + b**2 * (rhoI + rhoA * EI / kGA)
     root = sympy.sqrt(middle**2 - 4 * rhoA * rhoI * EI * b**4 / kGA)
-    # The smaller root of a quadratic without a difference of nearly equal numbers.
+    # Smaller root of a quadratic equation without cancellation.
     timoshenko = 2 * EI * b**4 / (middle + root)
-    # Of v = V sin(b x), phi = P cos(b x): a singular matrix.
+    # Matrix for v = V sin(b x), phi = P cos(b x), which must be singular.
     matrix = sympy.Matrix([[rhoA * S - kGA * b**2, kGA * b], [kGA * b, rhoI * S - EI * b**2 - kGA]])
     assert sympy.simplify(matrix.det().subs(S, timoshenko)) == 0
     stiff = sympy.limit(timoshenko.subs(rhoI, 0), kGA, sympy.oo)
@@ -74,7 +74,7 @@ def supported(rod):
 
 
 def free_by_roots(rod, guesses):
-    """omega_n of the free rod from the frequency equations; guesses choose the roots."""
+    """omega_n of the free rod from the frequency equations; guesses select the roots."""
     euler = []
     for n in range(1, MODES + 1):
         b = mp.findroot(lambda b: mp.cos(b) - 1 / mp.cosh(b), (n + mpf(1) / 2) * mp.pi)
@@ -87,7 +87,7 @@ def free_by_roots(rod, guesses):
 
 
 def free_by_ritz(rod):
-    """omega_n of the free rod from the energies: v, and phi of the other parity, in Legendre polynomials."""
+    """omega_n of the free rod from the energies, with v and phi of opposite parity in Legendre polynomials."""
     v = {parity: _legendre(parity) for parity in (0, 1)}
     euler, timoshenko = [], []
     for parity in (0, 1):
@@ -127,19 +127,19 @@ def _scaled(factor, f):
 
 
 def _product(f, g):
-    """The integral over -1 ... 1."""
+    """Integral of a product over -1 ... 1."""
     return mp.fsum(2 * a * b / (2 * n + 1) for n, (a, b) in enumerate(zip(f, g)) if a and b)
 
 
 def _frequencies(stiffness, mass, number):
-    """The lowest omega above zero of a stiffness and a diagonal mass: in double precision, then refined.
+    """Lowest nonzero frequencies of a stiffness and a diagonal mass, in double precision and then refined.
 
-    Rayleigh quotient iteration is cubic: a step triples the digits, and the vectors begin with seven or more.
+    Rayleigh quotient iteration converges cubically: each step triples the digits, of which the vectors have seven at first.
     """
     scale = [1 / mp.sqrt(m) for m in mass]
     K = mp.matrix([[a * entry * b for b, entry in zip(scale, row)] for a, row in zip(scale, stiffness)])
     squares, vectors = np.linalg.eigh(np.array(K.tolist(), float))
-    # A rigid motion has none but by rounding, which is 1e-16 of the largest.
+    # Frequencies of rigid motions are zero up to rounding, 1e-16 of the largest.
     first = int(np.argmax(squares > 1e-14 * squares[-1]))
     frequencies = []
     for place in range(first, first + number):
@@ -153,7 +153,7 @@ def _frequencies(stiffness, mass, number):
 
 
 def entries():
-    """Both theories, both ways to hold the rod."""
+    """Entries for both theories and both supports."""
     methods = ("the roots of the frequency equation", "Rayleigh and Ritz's method with Legendre polynomials")
     units = {f"omega_{n}": "rad/s" for n in range(1, MODES + 1)}
     with mp.workdps(value.WORKING):

@@ -12,11 +12,11 @@ With psi = -phi, psi_0 at the tip, a first integral is
 
     E I psi'^2/2 = F (sin psi_0 - sin psi) (1 - F beta/2 (sin psi_0 + sin psi)),
 
-so that L, and y, are quadratures over psi; E I psi'(0) = F x is the moment at the clamp. The substitution
-psi = psi_0 - s^2 takes out the root's singularity.
+so that L and y are quadratures over psi; E I psi'(0) = F x is the moment at the clamp. The substitution
+psi = psi_0 - s^2 removes the singularity of the root.
 
-An element of the Green-Lagrange strain, the paper's for one, has another law and hence another limit: the two differ
-by terms of the order of the strains themselves. `tests/references` says by how much.
+An element with the Green-Lagrange strain, like the paper's, has another law and another limit; the two differ by terms
+of the order of the strains. `tests/references` measures the difference.
 """
 
 from mpmath import mp, mpf
@@ -37,7 +37,7 @@ SIZES = {
     "slender": {"L": 2.0, "h": 0.1, "w": 0.1, "E": 2.07e11, "F": 1293750.0},
 }
 
-# Name, nu, k as a ratio; None: rigid.
+# Name, nu, shear correction factor k as a ratio; None: rigid in shear.
 VARIANTS = (("nu0-k1", 0.0, "1"), ("nu0-k5_6", 0.0, "5/6"), ("nu0.3-k1", 0.3, "1"), ("nu0.3-k5_6", 0.3, "5/6"),
             ("shear-rigid", 0.0, None))
 
@@ -46,7 +46,7 @@ METHODS = ("quadrature of the first integral", "Chebyshev collocation")
 
 
 class Cantilever:
-    """Its numbers: L, E I, F, the compliances F/(E A) and F/(k G A), and F beta."""
+    """The cantilever by L, E I, F, the strains F/(E A) and F/(k G A), and F beta."""
 
     def __init__(self, sizes, nu, k):
         L, h, w, E, F = (value.exact(sizes[name]) for name in ("L", "h", "w", "E", "F"))
@@ -56,16 +56,16 @@ class Cantilever:
         self.F_beta = self.shear - self.stretch
 
     def slopes(self, phi):
-        """x', y'."""
+        """Derivatives x', y' of the axis."""
         sin, cos = mp.sin(phi), mp.cos(phi)
         along, across = 1 - self.stretch * sin, -self.shear * cos
         return along * cos - across * sin, along * sin + across * cos
 
     def by_quadrature(self):
-        """The tip from the first integral."""
+        """Tip from the first integral."""
 
         def over_psi(f, psi_0):
-            """The integral of f over the length."""
+            """Integral of f over the length."""
 
             def integrand(s):
                 psi = psi_0 - s * s
@@ -85,7 +85,7 @@ class Cantilever:
         return {"tip.x": x, "tip.y": over_psi(lambda psi: self.slopes(-psi)[1], psi_0), "tip.angle": -psi_0}
 
     def by_collocation(self):
-        """The tip from phi'' = p cos phi (1 + F beta sin phi) over a unit length."""
+        """Tip from phi'' = p cos phi (1 + F beta sin phi) over a unit length."""
         def f(phi, p):
             return p * mp.cos(phi) * (1 + self.F_beta * mp.sin(phi))
 
@@ -104,7 +104,7 @@ def ratio(text):
 
 
 def entries():
-    """Two beams, each with several laws of shear."""
+    """Entries: two beams, each with several shear laws."""
     with mp.workdps(value.WORKING):
         for beam, sizes in SIZES.items():
             for variant, nu, k in VARIANTS:

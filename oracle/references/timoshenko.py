@@ -1,11 +1,11 @@
-"""The tip of a cantilever under the load P by Timoshenko's linear theory.
+"""Tip of a cantilever under the load P by Timoshenko's linear theory.
 
     E I phi'' = P, phi(0) = 0, phi'(L) = 0;   k G A (v' - phi) = -P, v(0) = 0
     ->   -v(L) = P L^3/(3 E I) + P L/(k G A),   -phi(L) = P L^2/(2 E I).
 
-In plane strain E/(1 - nu^2) stands for E, as long as the section can thicken on one side of the axis and thin on the
-other. Where it cannot, as in a field linear in y, E_22 = 0 and lambda + 2 mu stands for E: for a slender rod the
-tip moves by (1 - 2 nu)/(1 - nu)^2 of what it should.
+In plane strain E/(1 - nu^2) replaces E if the section can thicken on one side of the axis and thin on the other. In a
+field linear in y it cannot: E_22 = 0 and lambda + 2 mu replaces E. The deflection of a slender rod is then
+(1 - 2 nu)/(1 - nu)^2 of the right one.
 """
 
 import sympy
@@ -15,7 +15,7 @@ from . import value
 
 SOURCE = "Timoshenko 1921; any textbook"
 
-# By L/h: h, then the load P = 3e-8 E I/L^2, whose bending is 1e-8 L.
+# For each L/h: h, and the load P = 3e-8 E I/L^2, whose bending deflection is 1e-8 L.
 CASES = {2: (0.5, 1.25e-3), 10: (0.1, 1e-5), 100: (0.01, 1e-8), 1000: (0.001, 1e-11)}
 SIZES = {"L": 1.0, "w": 0.02, "E": 2e8, "k": "1"}
 
@@ -27,7 +27,7 @@ PROBLEM = {"plane-strain": ", plane strain",
 
 
 def tip():
-    """Deflection and angle in P, L, E I and k G A, from the two equations."""
+    """Deflection and angle as functions of P, L, E I and k G A, from the two equations."""
     P, L, EI, kGA, x = sympy.symbols("P L EI kGA x", positive=True)
     moment = -P * (L - x)
     phi = sympy.integrate(moment / EI, (x, 0, x))
@@ -35,14 +35,14 @@ def tip():
     angle = phi.subs(x, L)
     assert sympy.expand(deflection + P * L**3 / (3 * EI) + P * L / kGA) == 0
     assert sympy.expand(angle + P * L**2 / (2 * EI)) == 0
-    # By Castigliano's theorem as well: dU/dP of the stored energy.
+    # Castigliano's theorem: the deflection is dU/dP of the stored energy.
     U = sympy.integrate(moment**2 / (2 * EI) + P**2 / (2 * kGA), (x, 0, L))
     assert sympy.expand(U.diff(P) + deflection) == 0
     return sympy.lambdify((P, L, EI, kGA), (deflection, angle), "mpmath")
 
 
 def entries():
-    """One for each slenderness at nu = 0, and plane strain."""
+    """Entries for each slenderness at nu = 0, and for plane strain."""
     solution = tip()
     with mp.workdps(value.WORKING):
         for name, slenderness, poisson in VARIANTS:

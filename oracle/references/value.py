@@ -1,25 +1,25 @@
-"""Numbers with their unit and what is known about them."""
+"""Numbers with unit, provenance and certain digits."""
 
 from mpmath import mp, mpf
 
-# Digits of the arithmetic, of a stored decimal at most, and those on which two methods have to agree.
+# Digits: of the arithmetic; of a stored decimal, at most; on which two methods must agree.
 WORKING = 32
 SHOWN = 20
 AGREED = 22
 
 
 def exact(number):
-    """A parameter as it is written, 0.1 as one tenth."""
+    """A parameter as written: 0.1 is one tenth."""
     return mpf(str(number))
 
 
 def analytic(unit, number):
-    """A value of a closed form."""
+    """A value from a closed form."""
     return {"unit": unit, **_written(number, SHOWN), "provenance": "analytic", "agreement": None}
 
 
 def agreed(methods, units, first, second, digits=AGREED):
-    """Values by name that two methods were used for; the first one's are stored, as far as they agree."""
+    """Values by name from two methods that must agree; stored are those of the first, to the digits that agree."""
     assert list(units) == list(first) == list(second), f"{list(units)}, {list(first)}, {list(second)}"
     largest = max(map(abs, first.values()))
     values = {}
@@ -27,7 +27,7 @@ def agreed(methods, units, first, second, digits=AGREED):
         scale = max(abs(first[name]), largest * mpf("1e-9"))
         distance = abs(first[name] - second[name]) / scale
         bound = mpf(10) ** -digits
-        assert distance <= bound, f"{name}: {methods} differ by {mp.nstr(distance, 3)} of it"
+        assert distance <= bound, f"{name}: relative difference {mp.nstr(distance, 3)} of {methods}"
         values[name] = {
             "unit": unit, **_written(first[name], min(SHOWN, digits - 1)),
             "provenance": f"numeric, agreed by {methods[0]} and {methods[1]}", "agreement": float(bound),
@@ -36,5 +36,5 @@ def agreed(methods, units, first, second, digits=AGREED):
 
 
 def _written(number, digits):
-    """A number as text and as the nearest double."""
+    """A number as decimal text and as the nearest double."""
     return {"decimal": mp.nstr(number, digits, strip_zeros=False, min_fixed=-4, max_fixed=12), "f64": float(number)}

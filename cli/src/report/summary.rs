@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 use super::{energy_imbalance, final_time, final_values};
 use ancf::integrators::Counts;
 use ancf::internals::model::{Part, Plan};
-use ancf::model::{Method, Model, Scene};
+use ancf::model::{Method, Scene};
 use ancf::run::Estimate;
 use ancf::run::Run;
 
@@ -98,6 +98,8 @@ fn not_estimated<S: Serializer>(serializer: S) -> Result<S::Ok, S::Error> {
 #[cfg(test)]
 mod tests {
     use serde_json::{Value, json};
+
+    use ancf::model::Model;
 
     use super::super::tests::{AWKWARD, run};
     use super::*;

@@ -104,6 +104,7 @@ fn measure(mut setup: Setup, at_limit: bool) -> Result<Finding> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use ancf::internals::model::Words;
     use crate::error_time::technique::TECHNIQUES;
 
     #[test]
