@@ -104,8 +104,8 @@ fn measure(mut setup: Setup, at_limit: bool) -> Result<Finding> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ancf::internals::model::Words;
     use crate::error_time::technique::TECHNIQUES;
+    use ancf::internals::model::Words;
 
     #[test]
     fn every_scene_of_the_study_is_there_with_every_method() {
