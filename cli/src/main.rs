@@ -1,18 +1,13 @@
 //! Command line: parsing and printing only.
 
-mod error;
-mod report;
-
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use ancf::internals::model::Words;
-use ancf::internals::model::{Scissors, builtin_names, builtin_text};
-use ancf::model::{Model, Scene, ThermalModel};
-use ancf::run::run_estimated;
-use ancf::run::run_with_progress;
+use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
+use ancf::model::{Model, ThermalModel};
+use ancf::run::{run_estimated, run_with_progress};
 use ancf_conform::{Options, Report, Suite, equations_text, examine, load_state};
 use ancf_study::files::Files;
 use ancf_study::{error_time, stability};
@@ -20,7 +15,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::error::{Error, Result};
+use ancf_cli::error::{Error, Result};
+use ancf_cli::report;
 
 /// Planar thermo-elastic ANCF beam (Peng et al. 2018).
 ///

@@ -2,18 +2,16 @@
 //!
 //! Data files hold every digit, so that their numbers read back to the same `f64`; texts for people are rounded.
 
-mod summary;
-
 use std::path::PathBuf;
 
-use ancf::internals::model::ENERGY_COLUMNS;
 use ancf::internals::model::{Part, Plan};
 use ancf::model::{Method, Scene};
-use ancf::run::{Run, Trajectory};
+use ancf::run::Run;
 use ancf_study::files::Files;
-use summary::write_summary;
 
+use crate::ends::{energy_imbalance, final_time, final_values, largest_of};
 use crate::error::Result;
+use crate::summary::write_summary;
 
 /// Writes `trajectory.csv` and `summary.json` of a run, and returns their paths.
 ///
@@ -73,29 +71,6 @@ pub fn plan_text(scene: &Scene) -> String {
     lines.push("`ancf error-time` measures what this saves".into());
     lines.retain(|line| !line.is_empty());
     lines.join("\n") + "\n"
-}
-
-/// Time of the last row, s.
-fn final_time(run: &Run) -> Option<f64> {
-    run.trajectory.rows.last().and_then(|row| row.first()).copied()
-}
-
-/// Names and values of the probes' columns in the last row.
-fn final_values(run: &Run) -> impl Iterator<Item = (&str, f64)> {
-    let last = run.trajectory.rows.last().into_iter().flatten().copied();
-    let columns = run.trajectory.columns.iter().map(String::as_str).zip(last);
-    columns.skip(1).filter(|(name, _)| !ENERGY_COLUMNS.contains(name))
-}
-
-/// Largest |`energy.balance`| over the rows, J; `None` if there is no such column.
-fn energy_imbalance(trajectory: &Trajectory) -> Option<f64> {
-    largest_of(trajectory, "energy.balance")
-}
-
-/// Largest |value| of a column.
-fn largest_of(trajectory: &Trajectory, column: &str) -> Option<f64> {
-    // In the total order NaN is the largest, and is not lost.
-    trajectory.column(column)?.into_iter().map(f64::abs).max_by(f64::total_cmp)
 }
 
 /// Unit of a probe's column.
