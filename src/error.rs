@@ -1,45 +1,60 @@
-//! What can go wrong, with the numbers and names that a person needs to mend it.
+//! The crate's errors: each carries the numbers and names that a person needs to mend the fault.
+//!
+//! The text of an error says what to do next. Times are printed without rounding noise: 0.3 s, not 0.30000000000000004
+//! s.
 
 use std::convert::Infallible;
 use std::path::PathBuf;
 
-/// Result with this crate's [`Error`].
+/// [`std::result::Result`] with this crate's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Everything that can go wrong between a scene file and its output files.
+/// Any failure between a scene file and its output files.
+///
+/// ```
+/// use ancf::{error::Error, model::Model};
+///
+/// match Model::load("pendulum-flexibel") {
+///     Err(Error::Read { path, source }) => {
+///         assert_eq!(path.to_str(), Some("pendulum-flexibel"));
+///         assert!(source.to_string().contains("nearest is `pendulum-flexible`"));
+///     }
+///     other => panic!("{other:?}"),
+/// }
+/// ```
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The scene file holds something that is not allowed there.
+    /// A value of the scene is not allowed.
     #[error("{file}: `{key}` is {value}; allowed: {allowed}")]
     Scene {
-        /// File the scene was read from, or the name of a built-in scene; with line and column where the value stands
-        /// in a file (`pendulum.json:4:21`).
+        /// File of the scene, or name of a built-in scene; followed by line and column where the value stands in a file
+        /// (`pendulum.json:4:21`).
         file: String,
-        /// Path of the key inside the scene, such as `material.E` or `rods[0].from`.
+        /// Path of the key, such as `material.E` or `rods[0].from`.
         key: String,
-        /// The offending value as it was written.
+        /// Offending value, as it was written.
         value: String,
-        /// What would have been accepted.
+        /// Values that would have been accepted.
         allowed: String,
     },
-    /// An explicit step is longer than the method's stability limit.
+    /// The explicit step exceeds the method's stability limit.
     #[error(
         "`time.step` is {step:e}; allowed: at most {largest:.6e} s for the method \"{method}\" \
          ({limit} / largest frequency, {frequency:.6e} rad/s)"
     )]
     StepTooLarge {
-        /// The method's name.
+        /// Name of the method.
         method: String,
-        /// Step asked for, s.
+        /// Requested step, s.
         step: f64,
         /// Largest stable step, s.
         largest: f64,
         /// Upper bound of the structure's largest angular frequency, rad/s.
         frequency: f64,
-        /// Largest product of step and frequency at which the method is stable.
+        /// Stability limit of the method: largest product of step and angular frequency.
         limit: f64,
     },
-    /// Newton's iteration stopped short of its tolerance.
+    /// Newton's iteration did not reach its tolerance.
     #[error(
         "Newton's iteration did not converge at t = {} s: residual {residual:.3e} of the largest \
          force term after {iterations} iterations (tolerance {tolerance:.1e}); {}",
@@ -49,16 +64,17 @@ pub enum Error {
     NewtonFailed {
         /// Time at the end of the failed step, s.
         time: f64,
-        /// Iterations made.
+        /// Number of iterations.
         iterations: usize,
         /// Last residual, relative to the largest force term.
         residual: f64,
-        /// Tolerance it had to reach.
+        /// Required residual, relative to the largest force term.
         tolerance: f64,
-        /// Whether the residual is of the order of rounding errors of the elastic forces, which no step makes less.
+        /// Whether the residual is at the level of rounding errors of the elastic forces, which a smaller step does not
+        /// reduce.
         at_rounding: bool,
     },
-    /// Statics did not find an equilibrium.
+    /// Statics found no equilibrium.
     #[error(
         "no equilibrium was found at {} of the load: {reason}; more `time.load_steps` help, or more `elements` where rods \
          bend far, unless the structure buckles there",
@@ -67,10 +83,10 @@ pub enum Error {
     NoEquilibrium {
         /// Load factor at the end of the failed step, 0 … 1.
         factor: f64,
-        /// Iterations and residual, or where the tangent is singular.
+        /// Cause: iterations and residual, or the place where the tangent is singular.
         reason: String,
     },
-    /// A matrix that has to be inverted is singular.
+    /// A matrix to be factorised is singular.
     #[error(
         "the matrix is singular at t = {} s, iteration {iteration}, at {place}: a part of the structure is not \
          held, rods are stretched out in a singular position, or a step is far too large",
@@ -81,19 +97,19 @@ pub enum Error {
         time: f64,
         /// Newton's iteration, 0 for the mass matrix.
         iteration: usize,
-        /// Where in the structure the vanishing pivot is.
+        /// Location of the vanishing pivot in the structure, in words.
         place: String,
     },
-    /// Statics of a structure that can move without a strain.
+    /// Statics of a mechanism: the structure can move without strain.
     #[error(
         "statics has no answer: the structure can move without a strain (to first order), rods {rods}; allowed: \
          `supports` and pins that hold every rod"
     )]
     Drifts {
-        /// The rods that move, or the first of them.
+        /// Names of the moving rods, or the first few.
         rods: String,
     },
-    /// A structure's matrices would not fit into memory.
+    /// The structure's matrices exceed the memory limit.
     #[error(
         "the scene has {unknowns} unknowns in a band of {band}, for which a matrix takes {gigabytes:.1} GB; allowed: \
          2 GB, so fewer `elements`, or fewer rods at one point"
@@ -106,7 +122,7 @@ pub enum Error {
         /// Memory of one matrix, GB.
         gigabytes: f64,
     },
-    /// A method has created energy.
+    /// The method has created energy.
     #[error(
         "at t = {} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: the step is \
          far too long for a sudden load; {cure}",
@@ -117,14 +133,14 @@ pub enum Error {
         time: f64,
         /// Number of the step.
         step: usize,
-        /// Energy that nothing put in, J.
+        /// Energy beyond the supply, J.
         created: f64,
-        /// What forces, heat and weights have put in at most, J.
+        /// Upper bound of the energy that forces, heat and weight have put in, J.
         supply: f64,
-        /// What helps.
+        /// Advice for this method.
         cure: String,
     },
-    /// Nothing is left of an element, or it has turned inside out.
+    /// An element has collapsed or turned inside out (det J ≤ 0).
     #[error(
         "element {element} of {elements} of the rod `{rod}` has collapsed at {}: it is \
          pressed to nothing, or inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, {}",
@@ -136,14 +152,14 @@ pub enum Error {
         rod: String,
         /// Number of the element, from 1.
         element: usize,
-        /// Elements of the rod.
+        /// Number of elements of the rod.
         elements: usize,
         /// Time, s; the load factor in statics.
         time: f64,
-        /// Whether it is statics.
+        /// Whether the run is static, so that `time` is a load factor.
         statics: bool,
     },
-    /// Rounding errors are as large as what is computed.
+    /// Rounding errors are as large as the result.
     #[error(
         "at {} rounding errors of the elastic forces may be {share:.1e} of the {of}: the \
          structure is too stiff, or too slender, for numbers of 16 digits; a smaller `E` or a higher section helps, or fewer elements",
@@ -152,47 +168,47 @@ pub enum Error {
     LostInRounding {
         /// Time, s; the load factor in statics.
         time: f64,
-        /// Rounding over what is computed.
+        /// Rounding error relative to the quantity `of`.
         share: f64,
-        /// What that is.
+        /// Quantity that the rounding error is compared with.
         of: &'static str,
-        /// Whether it is statics.
+        /// Whether the run is static, so that `time` is a load factor.
         statics: bool,
     },
-    /// The estimated error of a run leaves no digit of it sure.
+    /// The estimated error of a run exceeds a tenth of the motion.
     #[error(
         "the {place} is off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, together more than a \
          tenth of the motion of {moved:.1e} m, so that not even the first digit is sure; a smaller `time.step` or \
          `time.tolerance`, more `elements`, or a `history` for what comes suddenly help"
     )]
     Inaccurate {
-        /// What is off most, in words.
+        /// Position or deflection with the worst error, in words.
         place: String,
-        /// The step's part, m.
+        /// Estimated error due to the step, m.
         time: f64,
-        /// The mesh's part, m.
+        /// Estimated error due to the mesh, m.
         space: f64,
-        /// The motion beside which it is judged, m.
+        /// Motion that the error is compared with, m.
         moved: f64,
     },
-    /// A run from which an error would have been estimated failed.
+    /// A refined run needed for the error estimate failed.
     #[error("the error cannot be estimated, as the run with {what} fails: {reason}")]
     NoEstimate {
-        /// What is finer in it.
+        /// Refinement of that run, in words.
         what: String,
-        /// Its error.
+        /// Error text of that run.
         reason: String,
     },
-    /// An error would have been estimated of an equilibrium that is one of many.
+    /// The equilibrium is unstable, so that its error cannot be estimated.
     #[error(
         "the error cannot be estimated, as the equilibrium found is unstable, in {directions} direction(s): others are near, and which of \
          them a finer run finds says nothing of this one; a small force across leads to the one where the structure stays"
     )]
     Unstable {
-        /// Independent directions in which it is, in this run or a finer one.
+        /// Number of independent unstable directions, in this run or a refined one.
         directions: usize,
     },
-    /// An adaptive method has come to its shortest step.
+    /// An adaptive method has reached its shortest step.
     #[error(
         "at t = {} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \
          {tolerance:.1e} m; a larger `time.tolerance` helps, or a `history` where a force or heat comes suddenly",
@@ -201,53 +217,53 @@ pub enum Error {
     StepTooSmall {
         /// Time at the start of the step, s.
         time: f64,
-        /// The step, s.
+        /// Length of the step, s.
         step: f64,
-        /// Its estimated error, m; infinite where it could not be made.
+        /// Estimated error of the step, m; infinite where the step could not be made.
         error: f64,
-        /// What the estimate may be, m.
+        /// Largest allowed error, m.
         tolerance: f64,
     },
-    /// A quantity stopped being a finite number.
+    /// A quantity is infinite or not a number.
     #[error("{quantity} is no longer finite at t = {} s, step {step}; a smaller `time.step` helps", written(*time))]
     NotFinite {
-        /// What it was.
+        /// Name of the quantity.
         quantity: &'static str,
         /// Time, s.
         time: f64,
         /// Number of the step.
         step: usize,
     },
-    /// A time to which the steps of a method do not lead.
+    /// The requested time is not the end of a step.
     #[error("no step ends at t = {} s; allowed: {allowed}", written(*time))]
     NotATime {
-        /// The time that was asked for, s.
+        /// Requested time, s.
         time: f64,
-        /// Times that steps lead to.
+        /// Times that can be reached, in words.
         allowed: String,
     },
-    /// A name that the model does not have.
+    /// The model has no item of this name.
     #[error("there is no {what} `{name}`{nearest}")]
     Unknown {
-        /// What the name should be of.
+        /// Kind of item: a point or a rod.
         what: &'static str,
-        /// The name.
+        /// Name asked for.
         name: String,
-        /// The known name that is most like it, in words.
+        /// Nearest known name, in words; empty if none is similar.
         nearest: String,
     },
-    /// A file could not be read.
+    /// A file cannot be read.
     #[error("cannot read {path}: {source}")]
     Read {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// The system's reason.
+        /// Reason given by the system.
         source: std::io::Error,
     },
 }
 
 impl Error {
-    /// Whether the scene is to blame, and not the run.
+    /// Whether the input is at fault, not the run.
     pub fn is_bad_input(&self) -> bool {
         matches!(
             self,
@@ -263,34 +279,35 @@ impl Error {
 }
 
 impl From<Infallible> for Error {
-    /// What is a model already needs no check.
+    /// Never called: converting a [`Model`](crate::model::Model) to itself cannot fail.
     fn from(never: Infallible) -> Error {
         match never {}
     }
 }
 
-/// A time without the digits that only rounding has written: 0.3 for 0.30000000000000004.
+/// Time rounded to 12 significant digits: 0.3 for 0.30000000000000004.
 fn rounded(time: f64) -> f64 {
     format!("{time:.11e}").parse().unwrap_or(time)
 }
 
-/// The same in text; with an exponent where there would be a row of zeros.
+/// Time as text, rounded; with an exponent below 10⁻⁹ and above 10⁹.
 pub(crate) fn written(time: f64) -> String {
     let time = rounded(time);
     if time == 0.0 || (1e-9..=1e9).contains(&time.abs()) { format!("{time}") } else { format!("{time:e}") }
 }
 
-/// A time, or the load factor of statics, in words.
+/// Time, or load factor of statics, in words.
 fn when(time: f64, statics: bool) -> String {
     let time = written(time);
     if statics { format!("{time} of the load") } else { format!("t = {time} s") }
 }
 
-/// What helps where an element collapses in motion. What comes suddenly may drive it there within one step, where shorter ones would not.
+/// Advice for a collapse in motion. A sudden load may collapse an element within one step, where shorter steps would
+/// not.
 const CURE_OF_COLLAPSE: &str = "or come too suddenly for the step: a `history` that lets them grow helps, or a smaller `time.step`, or \
      `time.tolerance` for adaptive methods";
 
-/// What helps where an iteration does not converge.
+/// Advice for an iteration that does not converge.
 fn cure_of_iteration(residual: f64, at_rounding: bool) -> &'static str {
     if !residual.is_finite() {
         "numbers have left their range: a load, `E` or `rho` is far too large or too small, or a step too long"
@@ -336,7 +353,7 @@ mod tests {
         }
     }
 
-    /// What comes suddenly collapses in a step what it would not in truth.
+    /// A sudden load can collapse an element within one long step, although it would not in reality.
     #[test]
     fn a_collapse_in_motion_tells_of_sudden_loads() {
         let message = |statics| {

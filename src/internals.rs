@@ -1,13 +1,13 @@
-//! The library's inside, as far as the project's own studies, benches, tests and conformance kit need it.
+//! Internals of the library that the project's own studies, benches, tests and conformance kit use.
 //!
-//! It may change in any version: nothing of it is part of the interface.
+//! They may change in any version, and are not part of the interface.
 
-/// The elements arranged for speed.
+/// Beam elements arranged for speed.
 pub mod elements {
     pub use crate::elements::*;
 }
 
-/// Time-stepping methods, and what they are made of.
+/// Time-stepping methods, Newton's iteration and statics.
 pub mod integrators {
     pub use crate::integrators::inside::*;
 }
@@ -17,17 +17,23 @@ pub mod linear {
     pub use crate::linear::*;
 }
 
-/// Scenes beyond their file: built-in ones, words, plans.
+/// Built-in scenes, words of scene files, and plans.
 pub mod model {
     pub use crate::model::inside::*;
 }
 
-/// Runs that are watched, or compute more than they need.
+/// Runs with an observer, or with a given plan.
 pub mod run {
     pub use crate::run::inside::*;
 }
 
-/// Numbering, assembly, constraints, mass.
+/// JSON Schemas of the project's files.
+#[cfg(feature = "schema")]
+pub mod schema {
+    pub use crate::schema::*;
+}
+
+/// Structures: numbering, assembly, constraints, mass.
 pub mod structure {
     pub use crate::structure::*;
 }

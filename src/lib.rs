@@ -1,42 +1,73 @@
-//! The planar thermo-elastic ANCF beam of Peng, Wang, Li, Zhi and Li, *Dynamics Analysis of Deployable Structures
-//! considering a Two-Dimensional Coupled Thermo-Structural Effect*, 2018, [doi 10.1155/2018/1752815]: a reference
-//! implementation to read, to run and to check others against.
+//! Planar thermo-elastic ANCF beams: the reference implementation of Peng, Wang, Li, Zhi and Li, *Dynamics Analysis of
+//! Deployable Structures considering a Two-Dimensional Coupled Thermo-Structural Effect*, 2018,
+//! [doi 10.1155/2018/1752815].
 //!
 //! [doi 10.1155/2018/1752815]: https://doi.org/10.1155/2018/1752815
 //!
-//! **Where to start.** [`equations`] is the paper, one function an equation. [`kernel`] is the same element, fast.
-//! [`scene`] is what can be simulated, [`run`] simulates it:
+//! # Simulate a heated mechanism
+//!
+//! Describe it as a [`Scene`](model::Scene), in code or in a JSON file, and move it with a
+//! [`Simulation`](run::Simulation):
 //!
 //! ```
-//! use ancf::{run::run, scene::{Method, Scene}};
+//! use ancf::model::{Material, Rod, Scene, Section, Support, Temperature, ThermalModel};
+//! use ancf::run::Simulation;
 //!
-//! let mut scene = Scene::builtin("pendulum-flexible").unwrap();
-//! (scene.time.method, scene.time.step, scene.time.end) = (Method::EnergyMomentum, 1e-3, 0.5);
-//! let run = run(&scene)?;
-//! let y = run.trajectory.column("tip.y").unwrap();
-//! assert!((y.last().unwrap() + 0.99685).abs() < 1e-4);
+//! let scene = Scene::new(Material::new(2e8, 0.0, 7750.0).alpha(2.85e-5), Section::new(0.02, 0.02))
+//!     .point("pivot", [0.0, 0.0])
+//!     .point("tip", [1.0, 0.0])
+//!     .rod(Rod::new("rod", "pivot", "tip"))
+//!     .support(Support::pinned("pivot"))
+//!     .gravity([0.0, -9.8])
+//!     .temperature(Temperature::new(ThermalModel::TwoD, vec![[0.0, 0.0], [0.2, 200.0]]));
+//! let mut pendulum = Simulation::new(scene)?;
+//! pendulum.run_until(0.2)?;
+//! let [x, y] = pendulum.position("tip")?;
+//! assert!(x > 0.95 && y < -0.18 && y > -0.21, "{x} {y}");
 //! # Ok::<(), ancf::error::Error>(())
 //! ```
 //!
-//! **Notation.** The paper's symbols are names: `S_a` is S_a, `K_1` is K₁, `eps_T` is ε_T, `e_dot` is ė; `dT` is the change of
-//! temperature ΔT. A point of an element has coordinates x along the axis and y across it. The 14 nodal coordinates are
-//! e = \[rⁱ r_yⁱ rʲ r_xʲ r_yʲ rᵏ r_yᵏ\], (4).
+//! * [`model`] says what can be simulated; a [`Model`](model::Model) is a checked scene.
+//! * [`run`](mod@run) simulates it: [`run()`](run::run) from start to end, [`run_estimated`](run::run_estimated) with an
+//!   estimate of its errors.
+//! * [`integrators`] has the interface for time-stepping methods of your own.
+//! * [`error`] has the errors; each says what is wrong, where, and what is allowed.
 //!
-//! **Checking another implementation.** [`conformance`] asks any program for every value of the fixtures, and names the first equation
-//! that is wrong. `fixtures/equations.json` has 36 element states and the exact value of every quantity of
-//! [`equations::CONTENTS`] for each; [`state::ElementState`] reads a state, [`state::evaluate`] gives our value. `fixtures/cable.json`
-//! has 27 of the [`cable`](equations::cable) element, for [`state::CableState`] and [`state::evaluate_cable`].
-//! `fixtures/pendulum.json` has the pendulum's motion, `fixtures/continuum.json` that of a plane solid; `fixtures/structure.json`
-//! the terms of (23) for pinned rods, and their motion; `fixtures/references.json` solutions of statics and vibration. Each field is
-//! explained in `fixtures/README.md`.
+//! # Check another implementation
 //!
-//! **Structures.** [`structure`] assembles rods that are pinned at their ends and middles; [`integrators`] move it and
-//! [`statics`] loads it, as it should be computed (pins as shared coordinates) or as (23) has it (with multipliers).
+//! [`state::ElementState`] reads the state of one element from JSON, and [`state::evaluate`] gives the value of any
+//! quantity in [`equations::CONTENTS`] for it. The fixtures hold such states with exact values:
 //!
-//! **Units and signs.** SI throughout. The paper's strains are Green–Lagrange, its stresses second Piola–Kirchhoff, both in global axes
-//! in [`equations`]; tension is positive. Q_e is ∂U/∂e, the force *on the left* of M ë + Q_e = Q_w, (22),
-//! as Φ_qᵀ λ is in (23). A reaction is the force of a support *on the structure*; a deflection is positive to the left of
-//! from → to.
+//! * `equations.json`: 36 states of the paper's element;
+//! * `cable.json`: 27 states of the [`cable`](equations::cable) element, for [`state::CableState`] and
+//!   [`state::evaluate_cable`];
+//! * `structure.json`: the terms of (23) for pinned rods, and their motion, for [`state::SystemState`] and
+//!   [`state::evaluate_system`];
+//! * `pendulum.json`: the motion of the pendulum; `continuum.json`: that of a plane solid;
+//! * `references.json`: solutions of statics, heat and vibration.
+//!
+//! `fixtures/README.md` explains each field; the crate `ancf-fixtures` embeds the files. The crate `ancf-conform` and
+//! the command `ancf conform` ask any program for every value, and name the first equation that is wrong.
+//!
+//! # Learn the derivation
+//!
+//! [`equations`] is the paper, one function per equation:
+//!
+//! ```
+//! use ancf::equations::strain;
+//!
+//! let eps_T = strain::eps_T(2.85e-5, 200.0); // (8), the thermal strain
+//! assert!((eps_T[0] - 5.7e-3).abs() < 1e-15 && eps_T[0] == eps_T[1] && eps_T[2] == 0.0);
+//! ```
+//!
+//! **Notation.** The paper's symbols are names: `S_a` is S_a, `K_1` is K₁, `eps_T` is ε_T, `e_dot` is ė; `dT` is the
+//! temperature change ΔT. A point of an element has coordinates x along the axis and y across it. The 14 nodal
+//! coordinates are e = \[rⁱ r_yⁱ rʲ r_xʲ r_yʲ rᵏ r_yᵏ\], (4).
+//!
+//! **Units and signs.** SI units throughout. The paper's strains are Green–Lagrange, its stresses second Piola–Kirchhoff;
+//! [`equations`] has both in global axes. Tension is positive. Q_e is ∂U/∂e, the force *on the left* of
+//! M ë + Q_e = Q_w, (22), as Φ_qᵀ λ is in (23). A reaction is the force of a support *on the structure*. A deflection is
+//! positive to the left of from → to.
 //!
 //! **Equation → function.** [`equations::CONTENTS`] lists them all.
 //!
@@ -56,9 +87,6 @@
 //! | (12) | [`strain::eps_f`] | | (A.3) | [`shape::coefficients`], [`shape::coefficients_printed`] (E1) |
 //! | (13) | [`strain::eps_1`], [`strain::eps_2`], [`strain::eps_3`] | | (A.4), (A.5) | [`shape::r_nodal`], [`shape::S`] |
 //! | (14) | [`strain::eps`] | | | |
-//!
-//! **Features.** `cli` (on by default) adds the command line, the pictures and the main job; the library does without:
-//! `ancf = { path = "…", default-features = false }`.
 //!
 //! [`shape::r`]: equations::shape::r
 //! [`shape::S`]: equations::shape::S
@@ -106,7 +134,7 @@
 //! [`motion::system_residual`]: equations::motion::system_residual
 //! [`motion::system_acceleration`]: equations::motion::system_acceleration
 
-/// The matrices and vectors of [`equations`] are its types.
+/// Linear algebra crate whose vectors and matrices the equations use.
 pub use nalgebra;
 
 mod elements;
@@ -117,5 +145,7 @@ pub mod internals;
 mod linear;
 pub mod model;
 pub mod run;
+#[cfg(feature = "schema")]
+mod schema;
 pub mod state;
 mod structure;

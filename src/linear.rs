@@ -1,5 +1,7 @@
-//! Linear systems: chains of elements that are coupled by a border, for pinned rods; bands that are, where multipliers stand
-//! beside the coordinates.
+//! Linear systems of structures.
+//!
+//! In the condensed form each rod is a chain of elements, and a border couples the chains: [`CondensedFactors`]. With
+//! multipliers among the unknowns each rod is a band, and a border couples the bands: [`Bordered`].
 
 mod band;
 mod banded_ldlt;
@@ -21,23 +23,24 @@ pub use number::Number;
 
 use nalgebra::DVector;
 
-/// The matrix is singular to working precision at this pivot.
+/// Pivot at which a matrix is singular to working precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SingularAt(pub usize);
 
-/// Part of the largest entry of a solution below which an entry is nothing.
+/// Size of a negligible entry, relative to the largest of the solution.
 const NOTHING: f64 = 1e-100;
 
-/// In a shorter vector entries would have to fall to a third of the one before, all along, to become so small.
+/// Shortest vector that is checked: in a shorter one each entry would have to be a third of the one before to become so
+/// small.
 const LONG: usize = 200;
 
-/// Sets to zero what is less than 10⁻¹⁰⁰ of the largest entry of a long vector: what acts on one end of a long structure dies out
-/// exponentially along it, and numbers that underflow are computed a hundred times slower than zeros.
+/// Sets entries below 10⁻¹⁰⁰ of the largest to zero, in long vectors. A load at one end of a long structure decays
+/// exponentially along it, and arithmetic with underflowing numbers is a hundred times slower than with zeros.
 pub fn flush<F: Number>(b: &mut DVector<F>) {
     if b.len() < LONG {
         return;
     }
-    // Four at a time: one after the other they would wait for one another.
+    // Four independent maxima at a time: a single one would make every comparison wait for the one before.
     let (mut largest, mut least) = ([0.0; 4], [f64::INFINITY; 4]);
     let (chunks, last) = b.as_slice().as_chunks::<4>();
     for values in chunks.iter().map(<[F; 4]>::as_slice).chain([last]) {

@@ -1,9 +1,9 @@
-//! What is simulated: a [`Scene`] is plain data, a [`Model`] is a scene that has been checked.
+//! What is simulated: a [`Scene`] is plain data, a [`Model`] is a checked scene.
 //!
-//! A scene is written as JSON in SI units (m, kg, s, N, K), with names chosen by the user, or made in code from [`Scene::new`].
-//! [`Scene::build`] checks it. A [`Model`] keeps what the rest of the library relies on: whoever holds one may divide by its step
-//! and look up its points by name. Unknown keys, duplicate keys and numbers that are not finite are refused, with the key, the
-//! value and what is allowed there.
+//! A scene is JSON text in SI units (m, kg, s, N, K) with names chosen by the user, or it is made in code from
+//! [`Scene::new`]. [`Scene::build`] checks it and returns a [`Model`]. The rest of the library relies on that check: it
+//! divides by the step and looks up points by name. Unknown keys, duplicate keys and numbers that are not finite are
+//! refused. The error names the key, the value and what is allowed.
 
 mod builtin;
 mod check;
@@ -39,7 +39,7 @@ pub use scene::Scene;
 pub use supports::Support;
 pub use time::{Output, Time};
 
-/// What only the project itself needs.
+/// Items for the project's own crates only.
 pub(crate) mod inside {
     pub use super::builtin::{builtin_names, builtin_text};
     pub use super::json::words::Words;

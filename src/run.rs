@@ -1,4 +1,4 @@
-//! Runs a model: step by step with a [`Simulation`], or from start to end with [`run`].
+//! Runs a model: step by step with a [`Simulation`], or from start to end with [`run()`].
 
 mod accuracy;
 mod energy;
@@ -19,7 +19,7 @@ pub use result::Run;
 pub use simulation::{Energies, Simulation, run, run_with_progress};
 pub use trajectory::Trajectory;
 
-/// What only the project itself needs.
+/// Items for the project's own crates only.
 pub(crate) mod inside {
     pub use super::simulation::{run_planned, run_watched};
 }

@@ -1,16 +1,17 @@
-//! Rods, pins and supports → numbering, assembly, loads, constraint rows.
+//! Assembles rods, pins and supports: numbering, forces, matrices, loads, constraint rows.
 //!
-//! The unknowns are the displacements u = q − q₀ of the nodal coordinates from the initial configuration. Two ways to keep
-//! rods together ([`Constraints`](crate::model::Constraints)):
+//! The unknowns are the displacements u = q − q₀ of the nodal coordinates from the initial configuration. Rods are
+//! connected in one of two ways ([`Constraints`](crate::model::Constraints)):
 //!
-//! * **condensed**: rods that meet at a point share its position and keep their own slopes; what a support holds is no
-//!   unknown at all. Supports in an oblique direction turn the axes of their nodal vector.
-//! * **multipliers**: every rod has all of its coordinates, and (23)'s multipliers λ stand among the unknowns. They have
-//!   no mass, no elastic force and no displacement: their entries of u, v and a are zero, those of a load or a residual
-//!   are constraint rows, and those of a solution are λ.
+//! * **condensed**: rods that meet at a point share its position and keep their own slopes; held coordinates are not
+//!   unknowns. A support in an oblique direction rotates the axes of its nodal vector.
+//! * **multipliers**: every rod keeps all of its coordinates, and the multipliers λ of (23) are unknowns too. They have
+//!   no mass, elastic force or displacement. Their entries are zero in u, v and a, constraint rows in a load or a
+//!   residual, and λ in a solution.
 //!
-//! Either way the matrices have one block a rod, bordered by what rods share: eliminated element by element in the condensed
-//! form ([`Chains`](crate::linear::Chains)), as a whole beside multipliers ([`Bordered`](crate::linear::Bordered)).
+//! Either way a matrix has one block per rod, bordered by what rods share. In the condensed form it is eliminated
+//! element by element ([`CondensedFactors`](crate::linear::CondensedFactors)), with multipliers as a whole
+//! ([`Bordered`](crate::linear::Bordered)).
 
 mod build;
 mod collapse;
@@ -52,49 +53,50 @@ pub use mass::MassFactors;
 pub use matrix::{Factors, Matrix};
 pub use probes::{Instant, PointId, RodId};
 
-/// A structure ready for statics and dynamics.
+/// A model's structure, ready for statics and dynamics.
 #[derive(Clone, Debug)]
 pub struct Structure {
     plan: Plan,
     rods: Arc<[Rod]>,
     kinds: Vec<UnknownKind>,
-    /// One over the length over which an unknown's force is judged; 0 for multipliers.
+    /// Reciprocal lengths that convert an unknown's force to newtons; 0 for multipliers.
     weights: DVector<f64>,
-    /// One over the length of its elements for a position; for a slope 1, of r_y in elements higher than long h/l; 0 for a multiplier.
+    /// Factors of [`moved`](Structure::moved): one over the element length for a position; 1 for a slope, h/l for r_y
+    /// in elements higher than long; 0 for a multiplier.
     shares: DVector<f64>,
-    /// Sorted by name.
+    /// Points by name, sorted.
     points: Vec<(String, Point)>,
-    /// There are none in the condensed form.
+    /// Constraint rows; none in the condensed form.
     rows: Vec<ConstraintRow>,
     layout: Arc<Layout>,
     gravity: DVector<f64>,
     forces: Vec<Force>,
-    /// Where they act.
+    /// Unknowns of the loaded points.
     force_places: Vec<NodeDofs>,
     start: DVector<f64>,
     start_velocity: DVector<f64>,
-    /// Statics: loads and heat grow with a factor in place of time.
+    /// Whether loads and heat grow with a load factor instead of time.
     is_static: bool,
-    /// Start and end, s, and between them the times at which a temperature or a force has a corner.
+    /// Start and end, s, and between them all times at which a temperature or force history has a corner.
     times: Vec<f64>,
-    /// Force or moment of a unit strain on each unknown, N and N m.
+    /// Force or moment of a unit strain on each unknown, N or N m.
     unit_forces: DVector<f64>,
     /// Length of the shortest element, m.
     shortest: f64,
-    /// Least size of the numbers that a strain is the difference of.
+    /// Least magnitude of the numbers whose differences are strains.
     rounded: f64,
 }
 
-/// Both ends of a step, with the thermal strains of the rods.
+/// Both ends of a step, with the rods' thermal strains.
 pub type StepEnds<'a> = Ends<'a, DVector<f64>, &'a [ThermalStrain]>;
 
 impl Structure {
-    /// Number of unknowns, multipliers among them.
+    /// Number of unknowns, including multipliers.
     pub fn size(&self) -> usize {
         self.kinds.len()
     }
 
-    /// Displacement at t = 0: zero, or the stress-free one of a relaxed start.
+    /// Displacement at t = 0: zero, or the stress-free stretch of a relaxed start.
     pub fn start(&self) -> &DVector<f64> {
         &self.start
     }
@@ -104,27 +106,27 @@ impl Structure {
         &self.start_velocity
     }
 
-    /// Times between start and end at which a temperature or a force has a corner, s, in order.
+    /// Times between start and end at which a temperature or force history has a corner, s, in order.
     pub fn corners(&self) -> &[f64] {
         self.times.get(1..self.times.len().saturating_sub(1)).unwrap_or_default()
     }
 
-    /// The mass matrix times an acceleration (or a velocity), without the matrix.
+    /// Product of the mass matrix and an acceleration (or velocity), without forming the matrix.
     pub fn inertia(&self, a: &DVector<f64>) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
         self.inertia_into(a, &mut sum);
         sum
     }
 
-    /// The same into `sum`.
+    /// Product of the mass matrix and an acceleration (or velocity), into `sum`.
     pub fn inertia_into(&self, a: &DVector<f64>, sum: &mut DVector<f64>) {
         sum.fill(0.0);
         self.rods.iter().for_each(|rod| rod.mesh.add_inertia(a, sum));
     }
 
-    /// A force vector's largest entry, N, moments taken over their own length (h or l); constraint rows are no forces.
+    /// Largest entry of a force vector, N; moments are divided by their length (h or l), constraint rows are skipped.
     pub fn largest(&self, force: &DVector<f64>) -> f64 {
-        // Four at a time: one after the other they would wait for one another.
+        // Four independent maxima at a time: a single one would make every comparison wait for the one before.
         let (mut largest, mut sum) = ([0.0; 4], [0.0; 4]);
         let mut look_at = |values: &[f64], weights: &[f64]| {
             for (n, (value, weight)) in values.iter().zip(weights).enumerate() {
@@ -142,7 +144,7 @@ impl Structure {
         if sum.is_nan() { sum } else { largest.into_iter().fold(0.0, f64::max) }
     }
 
-    /// A displacement's largest entry, m: of positions, and of slopes times the length over which they act.
+    /// Largest entry of a displacement, m; slopes are multiplied by the length over which they act.
     pub fn farthest(&self, u: &DVector<f64>) -> f64 {
         let size = |(u, kind): (&f64, &UnknownKind)| match kind {
             UnknownKind::Position => u.abs(),
@@ -152,7 +154,7 @@ impl Structure {
         u.iter().zip(&self.kinds).map(size).fold(0.0, |largest, size| if size <= largest { largest } else { size })
     }
 
-    /// Elastic forces into `sum`, at the rods' thermal strains.
+    /// Elastic forces at the rods' thermal strains, into `sum`.
     pub fn force(&self, u: &DVector<f64>, thermal: &[ThermalStrain], sum: &mut DVector<f64>) {
         sum.fill(0.0);
         for (rod, eps_t) in self.rods.iter().zip(thermal) {
@@ -160,7 +162,7 @@ impl Structure {
         }
     }
 
-    /// Step-averaged elastic forces of the energy–momentum rule into `sum`.
+    /// Step-averaged elastic forces of the energy–momentum rule, into `sum`.
     pub fn mean_force(&self, step: &StepEnds, sum: &mut DVector<f64>) {
         sum.fill(0.0);
         for (n, rod) in self.rods.iter().enumerate() {
@@ -173,18 +175,18 @@ impl Structure {
         self.rods.iter().zip(thermal).map(|(rod, eps_t)| rod.mesh.energy(u, *eps_t)).sum()
     }
 
-    /// Kinetic energy of velocities `v`, J; `momentum` is memory.
+    /// Kinetic energy of velocities `v`, J; `momentum` is a buffer.
     pub fn kinetic_energy(&self, v: &DVector<f64>, momentum: &mut DVector<f64>) -> f64 {
         self.inertia_into(v, momentum);
         0.5 * v.dot(momentum)
     }
 
-    /// Energy that heating puts in over a step, J.
+    /// Energy supplied by heating over a step, J.
     pub fn heating_work(&self, step: &StepEnds) -> f64 {
         self.rods.iter().enumerate().map(|(n, rod)| rod.mesh.heating_work(&of_rod(step, n))).sum()
     }
 
-    /// Where an unknown is, in words.
+    /// Location of an unknown, in words.
     pub fn place(&self, unknown: usize) -> String {
         let is_it = |vector: &NodeDofs, unknown| vector.unknowns.contains(&Some(unknown));
         let point_of = |unknown| {
@@ -203,7 +205,7 @@ impl Structure {
     }
 }
 
-/// A step with the thermal strains of one rod.
+/// Both ends of a step, with the thermal strains of one rod.
 fn of_rod<'a>(step: &StepEnds<'a>, rod: usize) -> Ends<'a, DVector<f64>> {
     Ends { u_0: step.u_0, u_1: step.u_1, thermal_0: step.thermal_0[rod], thermal_1: step.thermal_1[rod] }
 }

@@ -11,7 +11,7 @@ use std::path::Path;
 use imports::{Import, Sources};
 
 /// The library's modules from the bottom up; those of one line do not know one another.
-const LAYERS: [&[&str]; 9] = [
+const LAYERS: [&[&str]; 10] = [
     &["error"],
     &["equations"],
     &["model"],
@@ -19,6 +19,7 @@ const LAYERS: [&[&str]; 9] = [
     &["structure"],
     &["integrators"],
     &["run"],
+    &["schema"],
     &["internals"],
     &["lib"],
 ];

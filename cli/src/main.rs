@@ -198,26 +198,27 @@ fn main() -> ExitCode {
 
 /// `ancf run`.
 fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Path) -> Result<()> {
-    let scene = load(name, options)?;
+    let model = load(name, options)?;
+    let scene = model.scene();
     // First, so that a folder that cannot be written is not found after the run.
     let files = Files::in_folder(folder)?;
     let clock = Instant::now();
     let bar = progress(scene.steps());
     let on_step = |step| bar.set_position(step as u64);
-    let run = if estimate { run_estimated(&scene, on_step) } else { run_with_progress(&scene, on_step) };
+    let run = if estimate { run_estimated(model.clone(), on_step) } else { run_with_progress(model.clone(), on_step) };
     bar.finish_and_clear();
     let run = run?;
     let wall_seconds = clock.elapsed().as_secs_f64();
-    let paths = report::write_run(files, &scene, &run, wall_seconds)?;
+    let paths = report::write_run(files, scene, &run, wall_seconds)?;
     let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
-    Ok(print(&(report::run_text(&scene, &run, wall_seconds) + &written))?)
+    Ok(print(&(report::run_text(scene, &run, wall_seconds) + &written))?)
 }
 
-/// The scene of a name or path, with the changes that options ask for.
-fn load(name: &str, options: &ScissorsOptions) -> Result<Scene> {
+/// The model of a name or path, with the changes that options ask for.
+fn load(name: &str, options: &ScissorsOptions) -> Result<Model> {
     match options.change(name)? {
-        Some(scissors) => Ok(scissors.scene()?),
-        None => Ok(Model::load(name)?.into_scene()),
+        Some(scissors) => Ok(scissors.scene()?.build()?),
+        None => Ok(Model::load(name)?),
     }
 }
 
@@ -253,8 +254,8 @@ fn conform(command: &[String], fixtures: Option<&Path>, options: Options, folder
 
 /// `ancf plan`.
 fn print_plan(name: &str, options: &ScissorsOptions) -> Result<()> {
-    let scene = load(name, options)?;
-    Ok(print(&report::plan_text(&scene))?)
+    let model = load(name, options)?;
+    Ok(print(&report::plan_text(model.scene()))?)
 }
 
 /// `ancf error-time --references`.

@@ -84,15 +84,15 @@ fn unit(column: &str) -> &'static str {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use ancf::integrators::Counts;
-    use ancf::run::Accuracy;
+    use ancf::run::{Accuracy, Trajectory};
 
     /// Numbers whose shortest decimal form is easy to get wrong.
-    pub(super) const AWKWARD: [f64; 6] = [0.1, -1.0 / 3.0, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0];
+    pub const AWKWARD: [f64; 6] = [0.1, -1.0 / 3.0, 5e-324, 1.7976931348623157e308, 123456789.12345679, -0.0];
 
-    pub(super) fn run() -> (Scene, Run) {
+    pub fn run() -> (Scene, Run) {
         let scene = Scene::builtin("pendulum-flexible").unwrap();
         let mut rows = vec![vec![0.0; 10], AWKWARD.iter().chain(&[0.0; 4]).copied().collect()];
         (rows[0][5], rows[0][9]) = (2.0, -3e-7);

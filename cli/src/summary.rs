@@ -1,15 +1,16 @@
 //! `summary.json`: what a run was, what it took, where it ended.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use serde::{Serialize, Serializer};
-
-use super::{energy_imbalance, final_time, final_values};
 use ancf::integrators::Counts;
 use ancf::internals::model::{Part, Plan};
 use ancf::model::{Method, Scene};
-use ancf::run::Estimate;
-use ancf::run::Run;
+use ancf::run::{Estimate, Run};
+use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
+
+use crate::ends::{energy_imbalance, final_time, final_values};
 
 /// Writes the content of `summary.json`: the scene, what the run took, where the probes ended, and what is known of
 /// the accuracy.
@@ -27,41 +28,53 @@ pub fn write_summary(out: &mut dyn Write, scene: &Scene, run: &Run, wall_seconds
         wall_seconds,
         end: End { t: final_time(run), probes: run },
         warnings: &run.warnings,
-        accuracy: Accuracy {
-            time: Known::of(&run.accuracy.time),
-            space: Known::of(&run.accuracy.space),
-            energy: energy_imbalance(&run.trajectory).map_or(Known::None, |value| {
+        accuracy: KnownErrors {
+            time: Known::of(run.accuracy.time.clone()),
+            space: Known::of(run.accuracy.space.clone()),
+            energy: Known::of(energy_imbalance(&run.trajectory).map(|value| {
                 let method = "largest |energy.balance| over the rows".into();
-                Known::Found(Estimate { value, unit: "J", method })
-            }),
+                Estimate { value, unit: "J", method }
+            })),
         },
     };
     serde_json::to_writer_pretty(&mut *out, &summary)?;
     writeln!(out)
 }
 
-/// `summary.json`, its keys in the order of the file.
-#[derive(Serialize)]
-struct Summary<'a> {
+/// Content of `summary.json`: what a run was, what it took, where it ended.
+#[derive(Serialize, JsonSchema)]
+pub struct Summary<'a> {
+    /// The scene that was run.
     scene: &'a Scene,
     /// What was computed and what was left out.
     plan: Vec<Part>,
+    /// The method of the scene.
     method: Method,
+    /// Time steps, or load steps.
     steps: usize,
+    /// Newton iterations over all steps.
     newton_iterations: usize,
+    /// Counters of the work.
     counts: &'a Counts,
+    /// Run time, s.
     wall_seconds: f64,
+    /// The last row.
     #[serde(rename = "final")]
     end: End<'a>,
+    /// What a person should know before trusting the result.
     warnings: &'a [String],
-    accuracy: Accuracy,
+    /// What is known of the errors.
+    accuracy: KnownErrors,
 }
 
-/// The last row: its time, s, and the probes' columns by name.
-#[derive(Serialize)]
+/// The last row of a trajectory.
+#[derive(Serialize, JsonSchema)]
 struct End<'a> {
+    /// Time, s; the load factor in statics.
     t: Option<f64>,
+    /// Values by name of column: m, m/s, m/s², N.
     #[serde(serialize_with = "probes")]
+    #[schemars(with = "BTreeMap<String, f64>")]
     probes: &'a Run,
 }
 
@@ -69,30 +82,39 @@ fn probes<S: Serializer>(run: &Run, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(final_values(run))
 }
 
-#[derive(Serialize)]
-struct Accuracy {
+/// Errors of a run, as far as they are known.
+#[derive(Serialize, JsonSchema)]
+struct KnownErrors {
+    /// Error due to the step.
     time: Known,
+    /// Error due to the mesh.
     space: Known,
+    /// Error of the energy balance.
     energy: Known,
 }
 
-/// A value with the method that estimated it.
-#[derive(Serialize)]
+/// An error that is known or not.
+#[derive(Serialize, JsonSchema)]
 #[serde(untagged)]
 enum Known {
+    /// A value, its unit and how it was found.
     Found(Estimate),
-    #[serde(serialize_with = "not_estimated")]
-    None,
+    /// No estimate was asked for, or there are no energies.
+    Not(NotEstimated),
+}
+
+/// The words for an error that is not known.
+#[derive(Serialize, JsonSchema)]
+enum NotEstimated {
+    /// "not estimated".
+    #[serde(rename = "not estimated")]
+    NotEstimated,
 }
 
 impl Known {
-    fn of(estimate: &Option<Estimate>) -> Known {
-        estimate.clone().map_or(Known::None, Known::Found)
+    fn of(estimate: Option<Estimate>) -> Known {
+        estimate.map_or(Known::Not(NotEstimated::NotEstimated), Known::Found)
     }
-}
-
-fn not_estimated<S: Serializer>(serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str("not estimated")
 }
 
 #[cfg(test)]
@@ -101,8 +123,8 @@ mod tests {
 
     use ancf::model::Model;
 
-    use super::super::tests::{AWKWARD, run};
     use super::*;
+    use crate::report::tests::{AWKWARD, run};
 
     fn summary(scene: &Scene, run: &Run) -> Value {
         let mut text = Vec::new();

@@ -1,22 +1,24 @@
-//! How often each kind of work was done.
+//! Counters of the work of a run.
 
 use serde::Serialize;
 
-/// Counters that come with every result.
+/// Counters of the work of a run, part of every result.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Counts {
-    /// Time steps.
+    /// Number of time steps.
     pub steps: usize,
-    /// Steps made again, shorter, as their estimated error was too large or they could not be made.
+    /// Number of rejected steps: repeated, shorter, since the estimated error was too large or the step could not be
+    /// made.
     pub rejected: usize,
-    /// Newton iterations over all steps.
+    /// Number of Newton iterations over all steps.
     pub newton_iterations: usize,
-    /// Evaluations of the elastic forces of the whole structure.
+    /// Number of evaluations of the elastic forces of the whole structure.
     pub force_calls: usize,
-    /// Evaluations of the tangent of the whole structure.
+    /// Number of evaluations of the tangent of the whole structure.
     pub tangent_calls: usize,
-    /// LU factorisations.
+    /// Number of LU factorisations.
     pub factorizations: usize,
-    /// Solutions with given factors.
+    /// Number of solutions with existing factors.
     pub solves: usize,
 }

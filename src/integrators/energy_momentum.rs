@@ -2,8 +2,9 @@
 //!
 //! M (v₁ − v₀)/Δt + Q̄ = ½(f₀ + f₁),  (u₁ − u₀)/Δt = (v₀ + v₁)/2,  Q̄ = ∫ (∂ε/∂e at the middle)ᵀ ½(σ₀ + σ₁) dV.
 //!
-//! Strains are quadratic in u, so Q̄·(u₁ − u₀) is exactly the change of strain energy less the work of heating: energy is
-//! kept at every step size, up to Newton's tolerance. That says nothing about accuracy, which is of second order.
+//! Strains are quadratic in u, so that Q̄·(u₁ − u₀) is exactly the change of strain energy minus the work of heating.
+//! Energy is conserved at any step size, up to Newton's tolerance. That is no statement about accuracy, which is of
+//! second order.
 
 use nalgebra::DVector;
 
@@ -17,7 +18,7 @@ use crate::error::Result;
 use crate::linear::SingularAt;
 use crate::structure::{Matrix, StepEnds, Structure};
 
-/// The method with its step and Newton's tolerance.
+/// Energy–momentum method with a fixed step.
 #[derive(Debug)]
 pub struct EnergyMomentum {
     step: f64,
@@ -25,24 +26,24 @@ pub struct EnergyMomentum {
     workspace: Workspace,
 }
 
-/// What a step works on.
+/// Buffers of a step.
 #[derive(Debug)]
 struct Workspace {
-    /// The unknown δ: what the increment of u has beside Δt v₀.
+    /// Unknown δ: increment of u beyond Δt v₀.
     increment: Increment,
-    /// u₀ + Δt v₀.
+    /// Predicted displacement u₀ + Δt v₀.
     predicted_u: DVector<f64>,
-    /// Q̄.
+    /// Step-averaged elastic force Q̄.
     elastic: DVector<f64>,
-    /// (v₁ − v₀)/Δt = 2δ/Δt².
+    /// Mean acceleration (v₁ − v₀)/Δt = 2δ/Δt².
     a: DVector<f64>,
-    /// External force averaged over the step: its work is that average times the displacement.
+    /// External force averaged over the step: its work is this average times the displacement.
     load: DVector<f64>,
     thermal: [Vec<ThermalStrain>; 2],
 }
 
 impl EnergyMomentum {
-    /// A method with step `step` (s).
+    /// Method with step `step` (s).
     pub fn new(structure: &Structure, step: f64, newton: Newton) -> EnergyMomentum {
         let zeros = || DVector::zeros(structure.size());
         let workspace = Workspace {
@@ -57,7 +58,7 @@ impl EnergyMomentum {
     }
 }
 
-/// The equations of one step.
+/// Equations of one step.
 struct StepEquations<'a> {
     structure: &'a Structure,
     dt: f64,
@@ -79,7 +80,7 @@ impl Equations for StepEquations<'_> {
         let Increment { du, u, value, .. } = increment;
         self.structure.mean_force(&ends(&self.state.u, u, thermal), elastic);
         counts.force_calls += 1;
-        // Without a difference of the whole increment and Δt v₀, which would leave few digits at small steps.
+        // Not as a difference of the whole increment and Δt v₀, which would lose digits at small steps.
         a.copy_from(du);
         *a *= 2.0 / (self.dt * self.dt);
         self.structure.inertia_into(a, value);

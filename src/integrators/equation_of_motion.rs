@@ -1,4 +1,4 @@
-//! The equation of motion M q̈ = Q_w − Q_e(q, ΔT), solved for accelerations.
+//! Equation of motion M q̈ = Q_w − Q_e(q, ΔT), solved for accelerations.
 
 use nalgebra::DVector;
 
@@ -8,10 +8,10 @@ use crate::error::{Error, Result};
 use crate::linear::SingularAt;
 use crate::structure::{MassFactors, Structure};
 
-/// Factors of the mass matrix, with the constraints beside and below it where there are multipliers.
+/// Factorises the mass matrix, bordered by the constraints if there are multipliers.
 ///
 /// # Errors
-/// [`Error::Singular`].
+/// [`Error::Singular`] for a singular mass matrix.
 pub fn mass_factors(structure: &Structure, counts: &mut Counts) -> Result<MassFactors> {
     counts.factorizations += 1;
     structure.factorize_mass().map_err(|at| singular_mass(structure, at))
@@ -21,8 +21,8 @@ fn singular_mass(structure: &Structure, SingularAt(unknown): SingularAt) -> Erro
     Error::Singular { time: 0.0, iteration: 0, place: structure.place(unknown) }
 }
 
-/// Accelerations, and multipliers λ in their places, from the equation of motion:
-/// M q̈ + Φ_qᵀ λ = Q_w − Q_e with Φ_q q̈ = 0, the second derivative of Φ(q) = 0 for constraints that are linear in q.
+/// Accelerations, with multipliers λ in their entries, from M q̈ + Φ_qᵀ λ = Q_w − Q_e and Φ_q q̈ = 0. The latter is the
+/// second time derivative of Φ(q) = 0 for constraints that are linear in q.
 pub fn acceleration(
     structure: &Structure,
     mass: &mut MassFactors,
@@ -39,28 +39,40 @@ pub fn acceleration(
     a
 }
 
-/// The equation of motion, ready to be asked for one acceleration after the other.
+/// Equation of motion, ready to be solved for one acceleration after the other.
+///
+/// ```
+/// use ancf::integrators::{Counts, EquationOfMotion};
+/// use ancf::{model::Scene, run::Simulation};
+///
+/// let pendulum = Simulation::new(Scene::builtin("pendulum-flexible").unwrap().build()?)?;
+/// let mut counts = Counts::default();
+/// let mut motion = EquationOfMotion::new(pendulum.structure(), &mut counts)?;
+/// motion.accelerate(pendulum.structure(), &pendulum.state().u, 0.0, &mut counts);
+/// assert_eq!((motion.a.len(), counts.factorizations, counts.force_calls), (pendulum.state().u.len(), 1, 1));
+/// # Ok::<(), ancf::error::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct EquationOfMotion {
     mass: MassFactors,
-    /// The last acceleration; multipliers, if there are any, in their places.
+    /// Last acceleration; with multipliers in their entries, if there are any.
     pub a: DVector<f64>,
     force: DVector<f64>,
     thermal: Vec<ThermalStrain>,
 }
 
 impl EquationOfMotion {
-    /// The equation with the factors of its mass matrix.
+    /// Factorises the mass matrix.
     ///
     /// # Errors
-    /// [`Error::Singular`].
+    /// [`Error::Singular`] for a singular mass matrix.
     pub fn new(structure: &Structure, counts: &mut Counts) -> Result<EquationOfMotion> {
         let zeros = || DVector::zeros(structure.size());
         let thermal = structure.thermal_strains(0.0);
         Ok(EquationOfMotion { mass: mass_factors(structure, counts)?, a: zeros(), force: zeros(), thermal })
     }
 
-    /// The acceleration at a displacement and a time into `a`.
+    /// Computes the acceleration at displacement `u` and time `t`, into [`a`](EquationOfMotion::a).
     pub fn accelerate(&mut self, structure: &Structure, u: &DVector<f64>, t: f64, counts: &mut Counts) {
         structure.thermal_strains_into(t, &mut self.thermal);
         structure.force(u, &self.thermal, &mut self.force);
@@ -72,7 +84,7 @@ impl EquationOfMotion {
     }
 }
 
-/// Refuses an explicit step over the stability limit `limit`/ω of the largest frequency ω.
+/// Refuses an explicit step above the stability limit `limit`/ω for the largest angular frequency ω.
 pub fn check_step(structure: &Structure, method: &str, step: f64, limit: f64) -> Result<()> {
     let frequency = structure.largest_frequency().map_err(|at| singular_mass(structure, at))?;
     let largest = limit / frequency;

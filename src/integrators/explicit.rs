@@ -1,7 +1,7 @@
-//! Velocity Verlet with the consistent mass matrix, factorised once.
+//! Velocity Verlet method with the consistent mass matrix, factorised once.
 //!
-//! v½ = v₀ + ½Δt a₀,  u₁ = u₀ + Δt v½,  a₁ = M⁻¹(Q_w − Q_e(u₁, ΔT₁)),  v₁ = v½ + ½Δt a₁: of second order, stable up to
-//! Δt = 2/ω for the largest angular frequency ω.
+//! v½ = v₀ + ½Δt a₀,  u₁ = u₀ + Δt v½,  a₁ = M⁻¹(Q_w − Q_e(u₁, ΔT₁)),  v₁ = v½ + ½Δt a₁: second order, stable up to Δt
+//! = 2/ω for the largest angular frequency ω.
 
 use super::counts::Counts;
 use super::equation_of_motion::EquationOfMotion;
@@ -11,7 +11,7 @@ use super::state::State;
 use crate::error::{Error, Result};
 use crate::structure::Structure;
 
-/// The method with its step and the acceleration that it carries along.
+/// Velocity Verlet method with a fixed step and the last acceleration.
 #[derive(Debug)]
 pub struct Explicit {
     step: f64,
@@ -19,10 +19,10 @@ pub struct Explicit {
 }
 
 impl Explicit {
-    /// A method with step `step` (s), starting at `state`.
+    /// Method with step `step` (s), starting at `state`.
     ///
     /// # Errors
-    /// [`Error::StepTooLarge`] over the stability limit of the start's largest frequency (an upper bound of it, see
+    /// [`Error::StepTooLarge`] above the stability limit of the initial largest frequency (an upper bound, see
     /// [`Structure::largest_frequency`]); [`Error::Singular`] for a singular mass matrix.
     pub fn new(structure: &Structure, state: &State, step: f64, counts: &mut Counts) -> Result<Explicit> {
         check_step(structure, "explicit", step, 2.0)?;

@@ -1,16 +1,19 @@
-//! Gauss collocation with two stages: implicit, of order 4, symmetric and symplectic; every wave keeps its energy, resolved or not.
+//! Gauss collocation with two stages: implicit, fourth order, symmetric and symplectic. Every wave keeps its energy,
+//! resolved or not.
 //!
-//! With stages at c = ½ ∓ √3/6, the equation of motion holds there for the polynomial that has their accelerations:
+//! The equation of motion holds at the stages c = ½ ∓ √3/6 for the polynomial that interpolates their accelerations:
 //!
 //! M aᵢ + Q_e(u₀ + zᵢ) = fᵢ,  zᵢ = cᵢ Δt v₀ + Δt² Σ (A²)ᵢⱼ aⱼ,
 //!
-//! u₁ = u₀ + Δt v₀ + Δt² Σ bᵢ(1 − cᵢ) aᵢ,  v₁ = v₀ + Δt Σ bᵢ aᵢ,  b = (½, ½). Unknowns are the increments z, as a = A⁻²(z − c Δt v₀)/Δt².
+//! u₁ = u₀ + Δt v₀ + Δt² Σ bᵢ(1 − cᵢ) aᵢ,  v₁ = v₀ + Δt Σ bᵢ aᵢ,  b = (½, ½). The unknowns are the increments z, with a
+//! = A⁻²(z − c Δt v₀)/Δt².
 //!
-//! Newton's iteration takes one tangent K for both stages. A has the eigenvalues λ = ¼ + i√3/12 and its conjugate, so that both
-//! stages together are one complex system of the size of the structure, M + Δt²λ² K (Butcher 1976).
+//! Newton's iteration uses one tangent K for both stages. A has the eigenvalues λ = ¼ + i√3/12 and its conjugate. Both
+//! stages together are therefore one complex system of the structure's size, M + Δt²λ² K (Butcher 1976).
 //!
-//! **Error estimate**, of order 3: the acceleration at the step's start less the stages' polynomial there, as a force r on the
-//! left of the same system: Δt²/12 · Re (M + Δt²λ² K)⁻¹ r. The system takes away what stiff waves would make of it.
+//! **Error estimate**, of order 3: the acceleration at the start of the step minus the stages' polynomial there, as a
+//! force r on the left of that system: Δt²/12 · Re (M + Δt²λ² K)⁻¹ r. The system filters what stiff waves would make of
+//! it.
 
 use nalgebra::{Complex, DVector};
 
@@ -28,46 +31,46 @@ use crate::structure::Structure;
 
 const ROOT_3: f64 = 1.732_050_807_568_877_2;
 
-/// A, by rows: velocities are v₀ + Δt Σ Aᵢⱼ aⱼ.
+/// Matrix A by rows: stage velocities are v₀ + Δt Σ Aᵢⱼ aⱼ.
 const A: [[f64; 2]; 2] = [[0.25, 0.25 - ROOT_3 / 6.0], [0.25 + ROOT_3 / 6.0, 0.25]];
 
-/// A⁻², by rows.
+/// Matrix A⁻² by rows.
 const INVERSE: [[f64; 2]; 2] = [[6.0, 6.0 * (2.0 * ROOT_3 - 3.0)], [-6.0 * (2.0 * ROOT_3 + 3.0), 6.0]];
 
-/// Largest sum of the sizes of A⁻²'s entries times c.
+/// Largest row sum of |A⁻²| c.
 const INVERSE_SIZE: f64 = 13.0;
 
-/// λ.
+/// Eigenvalue λ of A.
 const EIGENVALUE: Complex<f64> = Complex::new(0.25, ROOT_3 / 12.0);
 
-/// Right eigenvector of A for λ, and the left one over their product.
+/// Right eigenvector of A for λ; below, the left one divided by their product.
 const RIGHT: [Complex<f64>; 2] = [Complex::new(0.25 - ROOT_3 / 6.0, 0.0), Complex::new(0.0, ROOT_3 / 12.0)];
 const LEFT: [Complex<f64>; 2] = [Complex::new(-6.0 - 4.0 * ROOT_3, 0.0), Complex::new(0.0, -2.0 * ROOT_3)];
 
-/// The method with its step.
+/// Gauss method with its step.
 #[derive(Debug)]
 pub struct Gauss {
     step: f64,
     newton: Newton,
-    /// Step of the last matrix.
+    /// Step for which the last matrix was made, s.
     matrix_step: f64,
     workspace: Workspace,
 }
 
-/// What a step works on; pairs are of both stages.
+/// Buffers of a step; pairs belong to the two stages.
 #[derive(Debug)]
 struct Workspace {
-    /// The unknowns z.
+    /// Unknown increments z.
     z: [DVector<f64>; 2],
-    /// u₀ + z, and the mean of both.
+    /// Stage displacements u₀ + z; below, their mean.
     u: [DVector<f64>; 2],
     middle: DVector<f64>,
     /// Last improvement of z.
     improvement: [DVector<f64>; 2],
-    /// What should vanish.
+    /// Residuals.
     value: [DVector<f64>; 2],
     a: [DVector<f64>; 2],
-    /// That of the last stage of the step before, from which an attempt that failed is made again.
+    /// Acceleration of the last stage of the step before, to restore after a failed attempt.
     a_before: DVector<f64>,
     elastic: DVector<f64>,
     load: [DVector<f64>; 2],
@@ -78,7 +81,7 @@ struct Workspace {
 }
 
 impl Gauss {
-    /// A method with step `step` (s).
+    /// Method with step `step` (s).
     pub fn new(structure: &Structure, step: f64, newton: Newton) -> Gauss {
         let zeros = || DVector::zeros(structure.size());
         let pair = || [zeros(), zeros()];
@@ -102,14 +105,14 @@ impl Gauss {
     }
 }
 
-/// The equations of one step.
+/// Equations of one step.
 struct StepEquations<'a> {
     structure: &'a Structure,
     dt: f64,
     state: &'a State,
     workspace: &'a mut Workspace,
     largest_load: f64,
-    /// Rounding error of the inertia, N: it is a difference of z and c Δt v₀ over Δt².
+    /// Rounding error of the inertia force, N: it is a difference of z and c Δt v₀, divided by Δt².
     inertia_rounding: f64,
 }
 
@@ -133,7 +136,7 @@ impl Equations for StepEquations<'_> {
             let terms = structure.largest(&value[stage]).max(structure.largest(elastic));
             value[stage] += &*elastic;
             value[stage] -= &load[stage];
-            // A maximum would drop a NaN; a sum of two sizes is as good.
+            // A maximum would drop a NaN; the sum of both magnitudes serves as well.
             size += structure.largest(&value[stage]);
             largest_term = largest_term.max(terms);
         }
@@ -195,7 +198,7 @@ impl Embedded for Gauss {
             let t = t_1 - (1.0 - c) * dt;
             structure.thermal_strains_into(t, &mut workspace.thermal[stage]);
             structure.load_into(t, &mut workspace.load[stage]);
-            // The guess: c Δt v₀ + ½ (c Δt)² a with the acceleration of the last stage before.
+            // Initial guess c Δt v₀ + ½ (c Δt)² a, with the acceleration of the last stage before.
             let z = &mut workspace.z[stage];
             z.copy_from(&workspace.a[1]);
             z.axpy(c * dt, &state.v, 0.5 * (c * dt).powi(2));
@@ -230,14 +233,14 @@ impl Embedded for Gauss {
         structure.thermal_strains_into(before.t, &mut thermal[0]);
         structure.force(&before.u, &thermal[0], elastic);
         structure.load_into(before.t, &mut load[0]);
-        // The stages' polynomial at the start.
+        // The stages' polynomial at the start of the step.
         start.copy_from(first);
         start.axpy(0.5 * (1.0 - ROOT_3), second, 0.5 * (1.0 + ROOT_3));
         structure.inertia_into(start, force);
         for (r, ((load, elastic), inertia)) in complex.iter_mut().zip(load[0].iter().zip(&*elastic).zip(&*force)) {
             *r = Complex::new(load - elastic - inertia, 0.0);
         }
-        // Where the guess was the solution, a structure at rest, there was no iteration and is no matrix.
+        // If the guess was the solution, as for a structure at rest, there was no iteration and there is no matrix.
         if !self.newton.has_matrix() {
             let stiffness = EIGENVALUE * EIGENVALUE * (dt * dt);
             if structure.factorize_complex(&before.u, &thermal[0], stiffness, factors).is_err() {
@@ -261,8 +264,8 @@ impl Embedded for Gauss {
         last.copy_from(a_before);
     }
 
-    /// By the rule that the stages are points of: where forces are linear in the displacement it is exactly what the method's step
-    /// changes the energy by, resolved or not.
+    /// Work by the quadrature rule whose points are the stages. Where forces are linear in the displacement it is
+    /// exactly the energy change of the method's step, resolved or not.
     fn work(&mut self, structure: &Structure, before: &State, after: &State) -> f64 {
         let dt = after.t - before.t;
         let Workspace { u, value: velocities, a, work, .. } = &mut self.workspace;

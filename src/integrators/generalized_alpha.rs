@@ -5,15 +5,16 @@
 //!
 //! u₁ = u₀ + Δt v₀ + Δt² \[(½ − β) a₀ + β a₁\],  v₁ = v₀ + Δt \[(1 − γ) a₀ + γ a₁\],
 //!
-//! α_m = (2ρ∞ − 1)/(ρ∞ + 1), α_f = ρ∞/(ρ∞ + 1), γ = ½ − α_m + α_f, β = ¼(1 − α_m + α_f)²: of second order, and waves that
-//! a step does not resolve lose the fraction 1 − ρ∞ of their amplitude a step. Before they do they overshoot: an acceleration
-//! that a sudden load gives to a wave of angular frequency ω moves the first step by (ωΔt)² times what is right.
+//! α_m = (2ρ∞ − 1)/(ρ∞ + 1), α_f = ρ∞/(ρ∞ + 1), γ = ½ − α_m + α_f, β = ¼(1 − α_m + α_f)²: second order. Waves that a
+//! step does not resolve lose the fraction 1 − ρ∞ of their amplitude per step. Before that they overshoot: if a sudden
+//! load accelerates a wave of angular frequency ω, the first step moves it (ωΔt)² times too far.
 //!
-//! **Multipliers**, if there are any, make (23) a differential-algebraic equation of index 3, for which this is the scheme of
-//! Arnold and Brüls (2007): the forces' weighted mean takes the place of their auxiliary acceleration. It starts from a₀ and
-//! λ₀ that fulfil (23) and Φ_q a₀ = 0. Constraints here are linear in q, so that Φ_q v and Φ_q a vanish as well, step by step.
-//! What usually spoils λ at small steps is that a rounding error of the positions in Φ(q₁) = 0 becomes a force M ε/Δt²; here
-//! the constraint is one of the increment, Φ_q (u₁ − u₀) = 0, whose rounding error shrinks with the step.
+//! **Multipliers**, if there are any, make (23) a differential-algebraic equation of index 3; this is then the scheme
+//! of Arnold and Brüls (2007), with the forces' weighted mean in place of their auxiliary acceleration. It starts from
+//! a₀ and λ₀ that fulfil (23) and Φ_q a₀ = 0. Constraints here are linear in q, so that Φ_q v and Φ_q a vanish as well
+//! in every step. Usually λ degrades at small steps, since a rounding error ε of the positions in Φ(q₁) = 0 becomes a
+//! force M ε/Δt². Here the constraint acts on the increment, Φ_q (u₁ − u₀) = 0, whose rounding error shrinks with the
+//! step.
 
 use nalgebra::DVector;
 
@@ -29,19 +30,19 @@ use crate::error::Result;
 use crate::linear::SingularAt;
 use crate::structure::{Matrix, Structure};
 
-/// The method with its parameters and the acceleration that it carries along.
+/// Generalized-α method with its parameters and the last acceleration.
 #[derive(Debug)]
 pub struct GeneralizedAlpha {
     weights: Weights,
     newton: Newton,
-    /// a₀ at the start of the step.
+    /// Acceleration a₀ at the start of the step.
     a: DVector<f64>,
-    /// λ₀ at the start of the step, in their places.
+    /// Multipliers λ₀ at the start of the step, in their entries.
     multipliers: DVector<f64>,
     workspace: Workspace,
 }
 
-/// The step and the weights of its two ends.
+/// Step, and weights of its two ends.
 #[derive(Clone, Copy, Debug)]
 struct Weights {
     step: f64,
@@ -51,26 +52,26 @@ struct Weights {
     gamma: f64,
 }
 
-/// What a step works on.
+/// Buffers of a step.
 #[derive(Debug)]
 struct Workspace {
-    /// The unknowns: δ, what the increment of u has beside Δt v₀, and λ₁ in their places.
+    /// Unknowns: δ, the increment of u beyond Δt v₀, and λ₁ in its entries.
     increment: Increment,
-    /// u₀ + Δt v₀.
+    /// Predicted displacement u₀ + Δt v₀.
     predicted_u: DVector<f64>,
-    /// (1 − α_m) a₁ + α_m a₀.
+    /// Weighted acceleration (1 − α_m) a₁ + α_m a₀.
     a: DVector<f64>,
-    /// (Q_e + Φ_qᵀ λ)₁.
+    /// Elastic and constraint forces (Q_e + Φ_qᵀ λ)₁ at the end of the step.
     elastic: DVector<f64>,
-    /// (Q_e + Φ_qᵀ λ − f)₀ at the start of the step.
+    /// Unbalanced force (Q_e + Φ_qᵀ λ − f)₀ at the start of the step.
     unbalanced: DVector<f64>,
-    /// f₁.
+    /// External force f₁ at the end of the step.
     load: DVector<f64>,
     thermal: Vec<ThermalStrain>,
 }
 
 impl GeneralizedAlpha {
-    /// A method with step `step` (s) and spectral radius `rho_inf`, starting from the acceleration of the equation of
+    /// Method with step `step` (s) and spectral radius `rho_inf`. It starts from the acceleration of the equation of
     /// motion at `state`.
     ///
     /// # Errors
@@ -104,14 +105,14 @@ impl GeneralizedAlpha {
     }
 }
 
-/// The equations of one step.
+/// Equations of one step.
 struct StepEquations<'a> {
     structure: &'a Structure,
     weights: Weights,
     state: &'a State,
     a_0: &'a DVector<f64>,
     workspace: &'a mut Workspace,
-    /// Largest of the terms that do not change in the step.
+    /// Largest of the terms that are constant in the step.
     largest_given: f64,
 }
 
@@ -124,7 +125,7 @@ impl Equations for StepEquations<'_> {
         self.structure.force(u, thermal, elastic);
         counts.force_calls += 1;
         self.structure.add_constraint_forces(du, elastic);
-        // a₁ = δ/(βΔt²) − (1/(2β) − 1) a₀: no difference of the whole increment and Δt v₀.
+        // a₁ = δ/(βΔt²) − (1/(2β) − 1) a₀: not a difference of the whole increment and Δt v₀.
         let from_du = (1.0 - alpha_m) / (beta * dt * dt);
         a.copy_from(du);
         a.axpy(alpha_m - (1.0 - alpha_m) * (0.5 / beta - 1.0), self.a_0, from_du);
@@ -141,7 +142,7 @@ impl Equations for StepEquations<'_> {
 
     fn at_rounding(&self, times: f64) -> bool {
         let Workspace { increment, predicted_u, thermal, .. } = &*self.workspace;
-        // u is a sum of what may be far larger than itself: a vibration passes its middle.
+        // u may be a small sum of large terms, as when a vibration passes its middle.
         let within = |u| self.structure.within_rounding(&increment.value, u, thermal, times);
         within(&increment.u) || within(predicted_u) || within(&self.state.u)
     }

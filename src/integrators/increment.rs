@@ -1,4 +1,4 @@
-//! The unknown of an implicit step of a structure, with what Newton's iteration needs beside it.
+//! Unknown increment of an implicit step, with the buffers of Newton's iteration.
 
 use nalgebra::DVector;
 
@@ -8,53 +8,53 @@ use crate::error::Error;
 use crate::linear::SingularAt;
 use crate::structure::{Factors, Structure};
 
-/// The unknown of a step, what is added to a displacement that is known before, with what an iteration needs beside it.
+/// Unknown increment over a known displacement, with the buffers of Newton's iteration.
 #[derive(Debug)]
 pub struct Increment {
-    /// The unknown, with multipliers in their places.
+    /// Unknown increment, with multipliers in their entries.
     pub du: DVector<f64>,
-    /// The known displacement with it.
+    /// Displacement: the known one plus the increment.
     pub u: DVector<f64>,
-    /// What should vanish.
+    /// Residual.
     pub value: DVector<f64>,
-    /// The last improvement of `du`.
+    /// Last improvement of `du`.
     improvement: DVector<f64>,
-    /// Of the matrix.
+    /// Factors of the matrix.
     pub factors: Factors,
 }
 
 impl Increment {
-    /// Workspace for a structure's increments.
+    /// Allocates the increment of a structure.
     pub fn new(structure: &Structure) -> Increment {
         let zeros = || DVector::zeros(structure.size());
         Increment { du: zeros(), u: zeros(), value: zeros(), improvement: zeros(), factors: structure.factors() }
     }
 
-    /// Moves `u` to the increment from the known displacement `u_0`.
+    /// Sets `u` to the known displacement `u_0` plus the increment.
     pub fn move_from(&mut self, u_0: &DVector<f64>) {
         self.u.copy_from(u_0);
         self.u += &self.du;
     }
 
-    /// Whether no entry of what should vanish is above `times` the rounding error of the elastic forces.
+    /// Whether every entry of the residual is within `times` the rounding error of the elastic forces.
     pub fn at_rounding(&self, structure: &Structure, thermal: &[ThermalStrain], times: f64) -> bool {
         structure.within_rounding(&self.value, &self.u, thermal, times)
     }
 
-    /// [`Equations::improve`](super::newton::Equations::improve).
+    /// Applies an improvement, see [`Equations::improve`](super::newton::Equations::improve).
     pub fn improve(&mut self) {
         self.improvement.copy_from(&self.value);
         self.factors.solve(&mut self.improvement);
         self.du -= &self.improvement;
     }
 
-    /// [`Equations::undo`](super::newton::Equations::undo).
+    /// Takes the last improvement back, see [`Equations::undo`](super::newton::Equations::undo).
     pub fn undo(&mut self) {
         self.du += &self.improvement;
     }
 }
 
-/// The error of a step that ends at `time`.
+/// Error of a failed step that ends at `time`.
 pub fn step_failed(failure: Failure, structure: &Structure, time: f64) -> Error {
     match failure {
         Failure::NotConverged { iterations, residual, tolerance, at_rounding } => {

@@ -1,4 +1,4 @@
-//! From a scene to its time-stepping method.
+//! Chooses the time-stepping method of a scene.
 
 use super::adaptive::Adaptive;
 use super::counts::Counts;
@@ -16,10 +16,11 @@ use crate::model::plan::Plan;
 use crate::model::{Method, Scene};
 use crate::structure::Structure;
 
-/// The method that a scene asks for, ready at the state `state`.
+/// Time-stepping method of a scene, ready at `state`.
 ///
 /// # Errors
-/// [`Error::StepTooLarge`](crate::error::Error::StepTooLarge) for an explicit step over its limit; [`Error::Singular`](crate::error::Error::Singular) for a mass matrix that is.
+/// [`Error::StepTooLarge`](crate::error::Error::StepTooLarge) for an explicit step above its limit;
+/// [`Error::Singular`](crate::error::Error::Singular) for a singular mass matrix.
 pub fn integrator(
     scene: &Scene,
     plan: &Plan,

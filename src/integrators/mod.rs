@@ -1,4 +1,4 @@
-//! Time integration of M q̈ + Q_e(q, ΔT) = Q_w, one method a file.
+//! Time integration of M q̈ + Q_e(q, ΔT) = Q_w, one method per file; and statics.
 
 mod adaptive;
 mod counts;
@@ -23,7 +23,7 @@ pub use integrator::{Integrator, check_end};
 pub(crate) use method::integrator;
 pub use state::State;
 
-/// What only the project itself needs.
+/// Items for the project's own crates only.
 pub(crate) mod inside {
     pub use super::adaptive::{Adaptive, Embedded};
     pub use super::energy_momentum::EnergyMomentum;

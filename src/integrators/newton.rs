@@ -1,101 +1,101 @@
 //! Newton's iteration for any system of nonlinear equations.
 //!
-//! The matrix of an earlier iteration, or of an earlier step, serves as long as the residual shrinks with it so fast that a
-//! new one would not pay: a factorisation costs as much as a few iterations. Where it fails the iterate goes back and
-//! a new matrix is made: nothing converges worse than with a new one each time.
+//! The matrix of an earlier iteration or step is reused as long as the residual shrinks so fast that a new one would
+//! not pay: a factorisation costs as much as a few iterations. If that fails, the iterate goes back and a new matrix is
+//! made. No solution converges worse than with a new matrix each time.
 
 use super::counts::Counts;
 use crate::linear::SingularAt;
 
-/// More new matrices than this never helped: where Newton converges at all it takes three to eight.
+/// Most matrices per solution: more never helped, since Newton takes three to eight where it converges at all.
 const MOST_MATRICES: usize = 30;
 
-/// Iterations that cost as much as a new matrix, measured: where more than these are left with the old one, it is not used.
+/// Cost of a new matrix in iterations, measured: a reused matrix is kept as long as no more iterations are expected.
 const WORTH: f64 = 3.0;
 
-/// Steps that begin with a new matrix after one of an earlier step did harm.
+/// Number of steps that begin with a new matrix after a reused one did harm.
 const DISTRUST: usize = 10;
 
-/// An iteration that leaves more than this of the residual has done what it can.
+/// Ratio of successive residuals above which an iteration stagnates.
 const STUCK: f64 = 0.25;
 
-/// How many times the rounding error of one force a residual of several may be.
+/// Allowed residual in rounding errors of one force; a residual sums several.
 const ROUNDINGS: f64 = 8.0;
 
-/// How many times that a residual may be for rounding to be what it failed for.
+/// Multiple of the allowed residual below which rounding is blamed for a failure.
 const NEAR: f64 = 100.0;
 
-/// Size of the residual, and the largest of the terms that it is the sum of, by which it is judged.
+/// Magnitude of the residual, and of the largest of its terms, which it is compared with.
 #[derive(Clone, Copy, Debug)]
 pub struct Residual {
-    /// Its largest entry.
+    /// Largest entry of the residual.
     pub size: f64,
-    /// The largest entry of all terms.
+    /// Largest entry of all terms.
     pub largest_term: f64,
 }
 
-/// Nonlinear equations with their unknowns.
+/// Nonlinear equations, with their unknowns.
 pub trait Equations {
-    /// Evaluates what should vanish at the present iterate.
+    /// Evaluates the residual at the present iterate.
     fn residual(&mut self, counts: &mut Counts) -> Residual;
 
-    /// Whether no entry of it is above `times` the rounding error of the elastic forces.
+    /// Whether every entry of the residual is within `times` the rounding error of the elastic forces.
     fn at_rounding(&self, times: f64) -> bool;
 
-    /// Makes the matrix of the present iterate, and its factors.
+    /// Makes and factorises the matrix of the present iterate.
     ///
     /// # Errors
-    /// The unknown with a vanishing pivot.
+    /// Unknown of a vanishing pivot.
     fn factorize(&mut self) -> Result<(), SingularAt>;
 
-    /// Solves with the factors and takes the solution off the unknowns.
+    /// Solves with the factors and subtracts the solution from the unknowns.
     fn improve(&mut self);
 
     /// Takes the last improvement back.
     fn undo(&mut self);
 }
 
-/// Why an iteration ended without a solution.
+/// Failure of an iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Failure {
-    /// The residual stopped short of its goal.
+    /// The residual did not reach the tolerance.
     NotConverged {
-        /// Iterations made.
+        /// Number of iterations.
         iterations: usize,
-        /// Last residual over the largest term.
+        /// Last residual, relative to the largest term.
         residual: f64,
-        /// What it had to reach.
+        /// Required residual, relative to the largest term.
         tolerance: f64,
-        /// Whether it is of the order of rounding errors of the terms.
+        /// Whether the residual is at the level of rounding errors.
         at_rounding: bool,
     },
     /// The matrix is singular.
     Singular {
         /// Number of the iteration, from 1.
         iteration: usize,
-        /// The pivot that vanishes.
+        /// Vanishing pivot.
         at: SingularAt,
     },
 }
 
-/// What an iteration knows from earlier ones.
+/// Newton's iteration, with what it remembers from earlier solutions.
 #[derive(Clone, Debug)]
 pub struct Newton {
     tolerance: f64,
-    /// Whether every iteration makes its own matrix.
+    /// Whether every iteration makes a new matrix.
     always_new: bool,
     has_matrix: bool,
-    /// Steps for which matrices of earlier ones are not trusted.
+    /// Number of further steps that begin with a new matrix.
     distrust: usize,
 }
 
 impl Newton {
-    /// An iteration that ends when the residual's largest entry is at most `tolerance` times the largest force term.
+    /// Iteration that ends when the residual's largest entry is at most `tolerance` times the largest force term.
     pub fn new(tolerance: f64) -> Newton {
         Newton { tolerance, always_new: false, has_matrix: false, distrust: 0 }
     }
 
-    /// The same with a new matrix in every iteration.
+    /// Iteration with a new matrix each time; it ends as that of [`new`](Newton::new).
     pub fn with_new_matrices(tolerance: f64) -> Newton {
         Newton { always_new: true, ..Newton::new(tolerance) }
     }
@@ -105,28 +105,28 @@ impl Newton {
         self.has_matrix
     }
 
-    /// Factors were made outside of an iteration.
+    /// Records that factors were made outside an iteration.
     pub fn remember(&mut self) {
         self.has_matrix = true;
     }
 
-    /// Forgets the last matrix: the method's step has changed.
+    /// Discards the last matrix, since the method's step has changed.
     pub fn forget(&mut self) {
         self.has_matrix = false;
     }
 
-    /// Solves the equations, from the guess that they hold.
+    /// Solves the equations, starting from the guess that they hold.
     ///
-    /// Done when the residual's largest entry is at most the tolerance times the largest force term; or, once the iteration
-    /// has done what it can, at most eight times the rounding error of the elastic forces, below which it cannot get. The
-    /// guess itself is not judged by rounding: a load smaller than that still moves the structure. Constraint rows are not
-    /// judged: they are linear, so that every iterate fulfils them.
+    /// It ends when the residual's largest entry is at most the tolerance times the largest force term. Once the
+    /// iteration stagnates, eight times the rounding error of the elastic forces is enough, since it cannot get below.
+    /// The guess itself is not judged by rounding: a load smaller than that still moves the structure. Constraint rows
+    /// are not judged: they are linear, so that every iterate fulfils them.
     ///
     /// # Errors
-    /// [`Failure`].
+    /// [`Failure`] if the residual stops decreasing or a matrix is singular.
     pub fn solve(&mut self, equations: &mut impl Equations, counts: &mut Counts) -> Result<(), Failure> {
         self.distrust = self.distrust.saturating_sub(1);
-        // Whether the last improvement came from the matrix of its own iterate.
+        // Whether the last improvement used the matrix of its own iterate.
         let mut own = true;
         let mut needs_matrix = self.always_new || !self.has_matrix || self.distrust > 0;
         let (mut iterations, mut matrices) = (0, 0);
@@ -135,7 +135,8 @@ impl Newton {
             let Residual { size, largest_term } = equations.residual(counts);
             let finite = size.is_finite() && largest_term.is_finite();
             let goal = self.tolerance * largest_term;
-            // A residual at rounding is not the end as long as iterations reduce it: that of a fine mesh may hide all of a bent shape.
+            // A residual at rounding level does not end the iteration while it still decreases: for a fine mesh it may
+            // hide all of a bent shape.
             let stuck = last.is_some_and(|last| size >= STUCK * last);
             if finite && (size <= goal || (stuck && equations.at_rounding(ROUNDINGS))) {
                 return Ok(());
@@ -143,7 +144,7 @@ impl Newton {
             if let Some(last) = last.take() {
                 let rate = size / last;
                 if !own && (!finite || rate >= 1.0) {
-                    // The old matrix did harm.
+                    // The reused matrix did harm.
                     equations.undo();
                     (self.distrust, needs_matrix) = (DISTRUST, true);
                     continue;

@@ -1,9 +1,10 @@
-//! The explicit Runge–Kutta–Nyström method RKN4(3)4FM of Dormand, El-Mikkawy and Prince (1987): order 4, with a solution of
-//! order 3 beside it for an error estimate.
+//! Explicit Runge–Kutta–Nyström method RKN4(3)4FM of Dormand, El-Mikkawy and Prince (1987): fourth order, with an
+//! embedded third-order solution for an error estimate.
 //!
-//! aᵢ = M⁻¹(Q_w − Q_e(u₀ + cᵢ Δt v₀ + Δt² Σ αᵢⱼ aⱼ)),  u₁ = u₀ + Δt v₀ + Δt² Σ bᵢ aᵢ,  v₁ = v₀ + Δt Σ b'ᵢ aᵢ. The last stage is the end of
-//! the step and the first of the next, so that a step costs three forces. Stable up to Δt ω = 3.7678 for the largest angular
-//! frequency ω, and damping on the way: a vibration loses 3·10⁻⁴ of its amplitude a step at Δt ω = 1, 2 % at 2.
+//! aᵢ = M⁻¹(Q_w − Q_e(u₀ + cᵢ Δt v₀ + Δt² Σ αᵢⱼ aⱼ)),  u₁ = u₀ + Δt v₀ + Δt² Σ bᵢ aᵢ,  v₁ = v₀ + Δt Σ b'ᵢ aᵢ. The last
+//! stage is the end of the step and the first stage of the next, so that a step costs three force evaluations. It is
+//! stable up to Δt ω = 3.7678 for the largest angular frequency ω, and damps: a vibration loses 3·10⁻⁴ of its amplitude
+//! per step at Δt ω = 1, and 2 % at 2.
 
 use nalgebra::DVector;
 
@@ -17,7 +18,7 @@ use super::work::{POINTS, Work};
 use crate::error::{Error, Result};
 use crate::structure::Structure;
 
-/// Largest Δt ω at which no vibration grows.
+/// Stability limit: largest Δt ω at which no vibration grows.
 const LIMIT: f64 = 3.7678;
 
 const STAGES: usize = 4;
@@ -30,35 +31,35 @@ const ALPHA: [[f64; 3]; STAGES] = [
     [1.0 / 14.0, 8.0 / 27.0, 25.0 / 189.0],
 ];
 const B_RATE: [f64; STAGES] = [1.0 / 14.0, 32.0 / 81.0, 250.0 / 567.0, 5.0 / 54.0];
-/// Weights of order 3 for u₁.
+/// Weights of the third-order solution for u₁.
 const B_LOW: [f64; STAGES] = [-7.0 / 150.0, 67.0 / 150.0, 3.0 / 20.0, -1.0 / 20.0];
 
-/// The method with the accelerations of its stages.
+/// Runge–Kutta–Nyström method with its step and stage accelerations.
 #[derive(Debug)]
 pub struct Nystrom {
     step: f64,
     motion: EquationOfMotion,
-    /// Of the stages; the first is that of the step's start.
+    /// Accelerations of the stages; the first belongs to the start of the step.
     a: [DVector<f64>; STAGES],
     u: DVector<f64>,
     error: DVector<f64>,
-    /// Displacements and velocities between the ends of a step, for the work.
+    /// Displacements and velocities at the quadrature points of the work.
     between: [[DVector<f64>; 2]; 2],
     work: Work,
 }
 
 impl Nystrom {
-    /// A method with step `step` (s), starting at `state`.
+    /// Method with step `step` (s), starting at `state`.
     ///
     /// # Errors
-    /// [`Error::StepTooLarge`] over the stability limit of the largest frequency, as for [`Explicit`](super::Explicit);
-    /// [`Error::Singular`] for a singular mass matrix.
+    /// [`Error::StepTooLarge`] above the stability limit of the largest frequency, as for
+    /// [`Explicit`](super::Explicit); [`Error::Singular`] for a singular mass matrix.
     pub fn new(structure: &Structure, state: &State, step: f64, counts: &mut Counts) -> Result<Nystrom> {
         check_step(structure, "nystrom", step, LIMIT)?;
         Nystrom::unchecked(structure, state, step, counts)
     }
 
-    /// The same for steps whose error is estimated: it grows where the method is not stable.
+    /// Method without a check of stability, for adaptive steps: the estimated error grows where it is unstable.
     ///
     /// # Errors
     /// [`Error::Singular`] for a singular mass matrix.
@@ -114,7 +115,7 @@ impl Embedded for Nystrom {
         self.a.swap(0, STAGES - 1);
     }
 
-    /// On the cubic through both ends of the step, with their velocities.
+    /// Work along the cubic through both ends of the step, with their velocities.
     fn work(&mut self, structure: &Structure, before: &State, after: &State) -> f64 {
         let dt = after.t - before.t;
         let [displacements, velocities] = &mut self.between;
@@ -150,8 +151,8 @@ impl Integrator for Nystrom {
 mod tests {
     use super::*;
 
-    /// Largest factor by which a step changes the amplitude of a vibration with Δt ω = `z`: the spectral radius of the map from
-    /// (u, Δt v) at its start to that at its end.
+    /// Largest factor by which a step changes the amplitude of a vibration with Δt ω = `z`: spectral radius of the map
+    /// of (u, Δt v) over a step.
     fn amplification(z: f64) -> f64 {
         let column = |u: f64, v: f64| {
             let mut a = [0.0; STAGES];
@@ -168,7 +169,7 @@ mod tests {
         if root < 0.0 { determinant.sqrt() } else { mean.abs() + root.sqrt() }
     }
 
-    /// What the documentation says of stability and damping.
+    /// Stability and damping are as documented above.
     #[test]
     fn vibrations_do_not_grow_up_to_the_limit_and_grow_beyond() {
         for n in 1..=1000 {
@@ -180,7 +181,8 @@ mod tests {
         assert!((losses[0] - 3e-4).abs() < 5e-5 && (losses[1] - 0.02).abs() < 2e-3, "{losses:?}");
     }
 
-    /// Σ bᵢ cᵢᵏ = 1/((k + 1)(k + 2)) for u₁ and Σ b'ᵢ cᵢᵏ = 1/(k + 1) for v₁, up to the order; the solution beside it is of order 3.
+    /// Σ bᵢ cᵢᵏ = 1/((k + 1)(k + 2)) for u₁ and Σ b'ᵢ cᵢᵏ = 1/(k + 1) for v₁, up to the order; the embedded solution is
+    /// of order 3.
     #[test]
     fn weights_integrate_polynomials() {
         let moment = |weights: &[f64], k: i32| weights.iter().zip(C).map(|(b, c)| b * c.powi(k)).sum::<f64>();

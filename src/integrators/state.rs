@@ -1,4 +1,4 @@
-//! The state of a structure in motion.
+//! State of a structure in motion.
 
 use nalgebra::DVector;
 
@@ -13,22 +13,22 @@ pub struct State {
     pub t: f64,
     /// Displacement from the initial configuration.
     pub u: DVector<f64>,
-    /// Its rate.
+    /// Velocity, the rate of `u`.
     pub v: DVector<f64>,
 }
 
 impl State {
-    /// A structure's state at t = 0.
+    /// State of a structure at t = 0.
     pub fn at_start(structure: &Structure) -> State {
         State { step: 0, t: 0.0, u: structure.start().clone(), v: structure.start_velocity().clone() }
     }
 
-    /// One step more, to time `t`.
+    /// Counts one more step, which ends at time `t`.
     pub fn advance(&mut self, t: f64) {
         (self.step, self.t) = (self.step + 1, t);
     }
 
-    /// Takes over another state of the same structure.
+    /// Copies another state of the same structure.
     pub fn copy_from(&mut self, other: &State) {
         (self.step, self.t) = (other.step, other.t);
         self.u.copy_from(&other.u);

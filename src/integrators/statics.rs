@@ -1,10 +1,11 @@
-//! Equilibrium Q_e(u, s ΔT) = s f as the load factor s grows from 0 to 1.
+//! Statics: equilibrium Q_e(u, s ΔT) = s f, as the load factor s grows from 0 to 1.
 //!
 //! Newton's iteration with independent stresses (Magisano, Leonetti and Garcea 2017,
-//! [`Beam::mixed_tangent`](crate::elements::Beam::mixed_tangent)): slender rods in large bending, where plain Newton
-//! creeps along in steps that stretch the axis too little to matter, take it no longer than stubby ones.
+//! [`Beam::mixed_tangent`](crate::elements::Beam::mixed_tangent)). In large bending plain Newton needs ever more
+//! iterations the more slender a rod is, since its steps must not stretch the axis; with independent stresses a slender
+//! rod needs no more than a stubby one.
 //!
-//! What is found is an equilibrium, not always a stable one: a perfect column stays straight above its Euler load.
+//! The equilibrium found need not be stable: a perfect column stays straight above its Euler load.
 
 use nalgebra::DVector;
 
@@ -18,26 +19,26 @@ use crate::error::{Error, Result};
 use crate::linear::SingularAt;
 use crate::structure::{Matrix, Structure};
 
-/// Load steps; the load factor takes the place of time.
+/// Static method: load steps, with the load factor in place of time.
 #[derive(Debug)]
 pub struct Statics {
     newton: Newton,
     workspace: Workspace,
 }
 
-/// What a load step works on.
+/// Buffers of a load step.
 #[derive(Debug)]
 struct Workspace {
-    /// That of the last load step is the guess for the next.
+    /// Unknown increment; that of the last load step is the guess for the next.
     increment: Increment,
-    /// The displacement before the last improvement.
+    /// Displacement before the last improvement.
     before: DVector<f64>,
     load: DVector<f64>,
     thermal: Vec<ThermalStrain>,
 }
 
 impl Statics {
-    /// Statics of a structure. [`Newton::with_new_matrices`] is what converges best.
+    /// Statics of a structure; [`Newton::with_new_matrices`] converges best.
     pub fn new(structure: &Structure, newton: Newton) -> Statics {
         let zeros = || DVector::zeros(structure.size());
         let workspace = Workspace {
@@ -50,13 +51,13 @@ impl Statics {
     }
 }
 
-/// The equations of one load step.
+/// Equations of one load step.
 struct StepEquations<'a> {
     structure: &'a Structure,
     u_0: &'a DVector<f64>,
     workspace: &'a mut Workspace,
     largest_load: f64,
-    /// Whether an improvement was made, so that there is a displacement before it.
+    /// Whether an improvement was made, so that `before` is valid.
     improved: bool,
 }
 
@@ -108,7 +109,7 @@ impl Integrator for Statics {
     }
 }
 
-/// The error of a load step, in terms of loads instead of times.
+/// Error of a load step, in terms of loads instead of times.
 fn no_equilibrium(failure: Failure, structure: &Structure, factor: f64) -> Error {
     let reason = match failure {
         Failure::NotConverged { iterations, residual, tolerance, .. } => format!(

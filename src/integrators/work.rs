@@ -1,7 +1,7 @@
-//! Work of forces and heat over a step, by Gauss's rule with two points: of order four, as the methods are that ask for it.
+//! Work of forces and heat over a step, by Gauss quadrature with two points: fourth order, as the methods that need it.
 //!
-//! W = ∫ (f·v − ∫ σ : ε̇_T dV) dt. Between two times of a history force and thermal strain are linear in time; where a corner of one
-//! lies inside of a step the order is lost there.
+//! W = ∫ (f·v − ∫ σ : ε̇_T dV) dt. Between the times of a history, force and thermal strain are linear in time; a
+//! corner inside a step costs the order there.
 
 use nalgebra::DVector;
 
@@ -10,26 +10,27 @@ use crate::structure::{StepEnds, Structure};
 
 const ROOT_3: f64 = 1.732_050_807_568_877_2;
 
-/// Where the two points are in the step; each has half of the weight.
+/// Quadrature points, as fractions of the step; each has weight ½.
 pub const POINTS: [f64; 2] = [0.5 - ROOT_3 / 6.0, 0.5 + ROOT_3 / 6.0];
 
-/// What is computed with.
+/// Buffers for the work over a step.
 #[derive(Debug)]
 pub struct Work {
     force: DVector<f64>,
-    /// Of the rods: its change over the step, and what makes the stress at a point with that change around it.
+    /// Changes of the rods' thermal strains over the step; below, strains with that change whose mean is the strain at
+    /// a point.
     change: Vec<ThermalStrain>,
     around: [Vec<ThermalStrain>; 2],
 }
 
 impl Work {
-    /// Workspace for a structure's steps.
+    /// Allocates the buffers for a structure.
     pub fn new(structure: &Structure) -> Work {
         let thermal = || structure.thermal_strains(0.0);
         Work { force: DVector::zeros(structure.size()), change: thermal(), around: [thermal(), thermal()] }
     }
 
-    /// The work over the step that ends at `t_1` and is `dt` long, J, from displacements and velocities at the [`POINTS`].
+    /// Work over the step of length `dt` that ends at `t_1`, J, from displacements and velocities at the [`POINTS`].
     pub fn of(
         &mut self,
         structure: &Structure,

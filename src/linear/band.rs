@@ -1,43 +1,43 @@
-//! A band matrix and its LU factorisation with partial pivoting.
+//! Band matrix, and its LU factorisation with partial pivoting.
 //!
-//! A rod's matrices couple neighbours only, so elimination inside the band costs O(n b²) for n unknowns.
+//! A rod's matrices couple only neighbours, so that elimination inside the band costs O(n b²) for n unknowns.
 
 use super::SingularAt;
 use super::number::Number;
 
-/// Right-hand sides that are solved together: a rod with two pinned ends and a pivot shares six coordinates.
+/// Right-hand sides solved together: a rod with two pinned ends and a pivot shares six coordinates.
 const SIDE_BY_SIDE: usize = 6;
 
-/// A square matrix whose entries (i, j) vanish for |i − j| > `band`.
+/// Square matrix whose entries (i, j) vanish for |i − j| > `band`.
 #[derive(Clone, Debug)]
 pub struct BandMatrix<F = f64> {
     size: usize,
     band: usize,
-    /// Row i holds columns i − band … i + 2 band; the last `band` of them are room for pivoting.
+    /// Row i holds columns i − band … i + 2 band; the last `band` of them are space for pivoting.
     entries: Vec<F>,
-    /// Memory of the last factors' lists.
+    /// Buffers of the last factors, for reuse.
     pivots: Vec<usize>,
     ends: Vec<usize>,
 }
 
-/// The LU factors of a [`BandMatrix`].
+/// LU factors of a [`BandMatrix`].
 #[derive(Clone, Debug)]
 pub struct BandLu<F = f64> {
     factors: BandMatrix<F>,
-    /// Row that changed places with row k at step k.
+    /// Row swapped with row k in step k.
     pivots: Vec<usize>,
-    /// Where row k of the upper factor ends: at k + band + 1, or further after rows have changed places.
+    /// End of row k of the upper factor: k + band + 1, or further after row swaps.
     ends: Vec<usize>,
 }
 
 impl<F: Number> BandMatrix<F> {
-    /// A zero matrix of `size` rows with `band` diagonals on either side of the main one.
+    /// Zero matrix of `size` rows with `band` diagonals on either side of the main one.
     pub fn zeros(size: usize, band: usize) -> BandMatrix<F> {
         let entries = vec![F::zero(); size * (3 * band + 1)];
         BandMatrix { size, band, entries, pivots: Vec::with_capacity(size), ends: Vec::with_capacity(size) }
     }
 
-    /// Memory that such a matrix takes, bytes.
+    /// Memory of a matrix of this shape, bytes.
     pub fn bytes(size: usize, band: usize) -> usize {
         size.saturating_mul(3 * band + 1).saturating_mul(size_of::<F>())
     }
@@ -46,7 +46,7 @@ impl<F: Number> BandMatrix<F> {
         row * (3 * self.band + 1) + column + self.band - row
     }
 
-    /// Adds `value` to the entry at (row, column), which must lie inside the band.
+    /// Adds `value` to the entry (row, column), which must lie inside the band.
     pub fn add(&mut self, row: usize, column: usize, value: F) {
         debug_assert!(row.abs_diff(column) <= self.band, "({row}, {column}) lies outside the band");
         let place = self.place(row, column);
@@ -57,7 +57,7 @@ impl<F: Number> BandMatrix<F> {
     pub fn add_scaled(&mut self, factor: F, other: &BandMatrix<F>) {
         debug_assert_eq!((self.size, self.band), (other.size, other.band));
         for row in 0..self.size {
-            // Without the room for pivoting, which is a third of the entries.
+            // Skips the space for pivoting, a third of the entries.
             let entries = self.entries_of(row);
             for (a, b) in self.entries[entries.clone()].iter_mut().zip(&other.entries[entries]) {
                 *a += factor * *b;
@@ -65,19 +65,19 @@ impl<F: Number> BandMatrix<F> {
         }
     }
 
-    /// The columns of a row inside the band.
+    /// Columns of a row inside the band.
     fn columns(&self, row: usize) -> std::ops::Range<usize> {
         row.saturating_sub(self.band)..(row + self.band + 1).min(self.size)
     }
 
-    /// Where the entries of a row inside the band are stored.
+    /// Storage of a row's entries inside the band.
     fn entries_of(&self, row: usize) -> std::ops::Range<usize> {
         let columns = self.columns(row);
         let start = self.place(row, columns.start);
         start..start + columns.len()
     }
 
-    /// Entries of each row with their columns, for what has to look at them all.
+    /// Entries of a row inside the band, with their columns.
     pub fn row(&self, row: usize) -> impl Iterator<Item = (usize, F)> {
         self.columns(row).zip(self.entries[self.entries_of(row)].iter().copied())
     }
@@ -92,10 +92,10 @@ impl<F: Number> BandMatrix<F> {
         }
     }
 
-    /// LU factors by Gaussian elimination, the largest entry of each column as its pivot.
+    /// LU factors by Gaussian elimination; the pivot is the largest entry of each column.
     ///
     /// # Errors
-    /// A pivot that is zero, or not a number.
+    /// Index of a pivot that is zero or not a number.
     pub fn lu(mut self) -> Result<BandLu<F>, SingularAt> {
         let (size, band) = (self.size, self.band);
         let (mut pivots, mut ends) = (std::mem::take(&mut self.pivots), std::mem::take(&mut self.ends));
@@ -141,7 +141,7 @@ impl<F: Number> BandMatrix<F> {
 }
 
 impl<F: Number> BandLu<F> {
-    /// A zero matrix of the same shape in the same memory.
+    /// Zero matrix of the same shape in the same memory.
     pub fn into_zeros(self) -> BandMatrix<F> {
         let BandLu { mut factors, pivots, ends } = self;
         factors.entries.fill(F::zero());
@@ -153,8 +153,8 @@ impl<F: Number> BandLu<F> {
         self.solve_side_by_side(b.as_chunks_mut::<1>().0);
     }
 
-    /// Solves A X = B in place, for a matrix B stored by columns: the same numbers as [`solve`](BandLu::solve) for one column
-    /// after the other, in less time.
+    /// Solves A X = B in place for a matrix B stored by columns. Each column gets the same bits as from
+    /// [`solve`](BandLu::solve), in less time.
     pub fn solve_columns(&self, columns: &mut [F]) {
         let size = self.factors.size;
         if size == 0 {

@@ -1,26 +1,26 @@
-//! A symmetric band matrix that treats x and y alike: its entries are numbers, its unknowns vectors (x, y), both of which are
-//! solved for side by side.
+//! L D Lᵀ factors of a symmetric band matrix whose entries multiply plane vectors (x, y): both components are solved
+//! together.
 
 use wide::f64x2;
 
 use super::SingularAt;
 
-/// L D Lᵀ factors of a positive definite matrix whose rows reach `W` rows back.
+/// L D Lᵀ factors of a positive definite matrix with lower half-bandwidth `W`.
 #[derive(Clone, Debug)]
 pub struct BandedLdlt<const W: usize> {
-    /// Row i of L: the multipliers of rows i − W … i − 1.
+    /// Row i of L: multipliers of rows i − W … i − 1.
     lower: Vec<[f64; W]>,
-    /// Column i of L: those of row i in rows i + W … i + 1, so that both substitutions read in order.
+    /// Column i of L: multipliers of row i in rows i + W … i + 1, so that both substitutions read memory in order.
     upper: Vec<[f64; W]>,
-    /// 1/D.
+    /// Reciprocal pivots 1/D.
     inverse: Vec<f64>,
 }
 
 impl<const W: usize> BandedLdlt<W> {
-    /// The factors of a matrix of `size` rows, whose entry (row, column), `column` ≤ `row`, is told by `entry`.
+    /// Factorises a matrix of `size` rows; `entry(row, column)` with `column` ≤ `row` gives its entries.
     ///
     /// # Errors
-    /// The row whose pivot is not positive.
+    /// Row of a pivot that is not positive.
     pub fn new(size: usize, entry: impl Fn(usize, usize) -> f64) -> Result<BandedLdlt<W>, SingularAt> {
         let mut band = BandedLdlt { lower: Vec::with_capacity(size), upper: vec![[0.0; W]; size], inverse: Vec::new() };
         let mut diagonal: Vec<f64> = Vec::with_capacity(size);
@@ -28,7 +28,7 @@ impl<const W: usize> BandedLdlt<W> {
             let mut row = [0.0; W];
             let mut pivot = entry(i, i);
             for j in i.saturating_sub(W)..i {
-                // L_ij D_j = A_ij − Σ L_ik D_k L_jk over what both rows reach.
+                // L_ij D_j = A_ij − Σ L_ik D_k L_jk over the columns that both rows reach.
                 let both = (i.saturating_sub(W)).max(j.saturating_sub(W))..j;
                 let known: f64 = both.map(|k| row[k + W - i] * diagonal[k] * band.lower[j][k + W - j]).sum();
                 let multiplier = (entry(i, j) - known) / diagonal[j];
@@ -46,7 +46,7 @@ impl<const W: usize> BandedLdlt<W> {
         Ok(band)
     }
 
-    /// Solves in place, for vectors whose first components are at `places` in `b` and whose second ones follow.
+    /// Solves in place for vectors whose x components are at `places` in `b`, each followed by its y component.
     pub fn solve(&self, places: &[u32], b: &mut [f64]) {
         let mut known = [f64x2::ZERO; W];
         for (row, &place) in self.lower.iter().zip(places) {
@@ -63,13 +63,13 @@ impl<const W: usize> BandedLdlt<W> {
     }
 }
 
-/// `value` less what is known of it. The nearest of the known ones comes last: it is the only one that is waited for.
+/// Subtracts the known terms from `value`. The most recent one comes last: it is the only one not yet available.
 #[inline(always)]
 fn reduced<const W: usize>(value: f64x2, factors: &[f64; W], known: &[f64x2; W]) -> f64x2 {
     factors.iter().zip(known).fold(value, |value, (factor, known)| value - *known * *factor)
 }
 
-/// Takes the newest of the known ones in, and the oldest out.
+/// Shifts the newest known value in and the oldest out.
 #[inline(always)]
 fn push<const W: usize>(newest: f64x2, known: &mut [f64x2; W]) {
     known.rotate_left(1);
@@ -95,7 +95,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// Both components like a dense LU, wherever they stand.
+        /// Both components match a dense LU solution, wherever they are stored.
         #[test]
         fn solves_like_a_dense_matrix(size in 1usize..20, values in prop::collection::vec(-1.0..1.0, 200)) {
             let entry = |i: usize, j: usize| match i.abs_diff(j) {

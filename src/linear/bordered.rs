@@ -1,4 +1,4 @@
-//! Bands that do not touch one another, coupled by a border:
+//! Matrix of independent bands that are coupled by a border:
 //!
 //! ```text
 //! ⎡ A₁            B₁ ⎤
@@ -7,8 +7,9 @@
 //! ⎣ C₁  C₂  …     D  ⎦
 //! ```
 //!
-//! One block is one rod, the border is what rods share: pinned points, or multipliers. Each block is eliminated by itself,
-//! and leaves a small band matrix D − Σ Cᵢ Aᵢ⁻¹ Bᵢ: the cost is linear in the number of rods and of their elements.
+//! A block is a rod; the border holds what rods share, pinned points or multipliers. Each block is eliminated by itself
+//! and leaves its part of a small band matrix D − Σ Cᵢ Aᵢ⁻¹ Bᵢ. The cost is linear in the number of rods and of their
+//! elements.
 
 mod filling;
 mod inertia;
@@ -21,26 +22,26 @@ pub use filling::Filling;
 
 use super::{BandLu, BandMatrix, BlockLayout, Layout, SingularAt, flush};
 
-/// A matrix of this shape.
+/// Bordered block-diagonal matrix.
 #[derive(Clone, Debug)]
 pub struct Bordered {
     layout: Arc<Layout>,
     blocks: Vec<Block>,
-    /// D, over all the border's unknowns.
+    /// Corner D, over all unknowns of the border.
     corner: BandMatrix,
 }
 
 #[derive(Clone, Debug)]
 struct Block {
-    /// A.
+    /// Band matrix A.
     own: BandMatrix,
-    /// B: the block's rows, the columns of the border that it touches.
+    /// Matrix B: rows of the block, columns of the border unknowns that it touches.
     right: DMatrix<f64>,
-    /// Cᵀ, of the same shape: stored by columns, so that a column is a row of C.
+    /// Transpose Cᵀ, shaped like B and stored by columns, so that a column is a row of C.
     below: DMatrix<f64>,
 }
 
-/// Its LU factors.
+/// LU factors of a [`Bordered`] matrix.
 #[derive(Clone, Debug)]
 pub struct BorderedLu {
     layout: Arc<Layout>,
@@ -52,13 +53,13 @@ pub struct BorderedLu {
 #[derive(Clone, Debug)]
 struct BlockLu {
     own: BandLu,
-    /// A⁻¹ B.
+    /// Product A⁻¹ B.
     right: DMatrix<f64>,
-    /// Cᵀ.
+    /// Transpose Cᵀ.
     below: DMatrix<f64>,
 }
 
-/// Factors of the rows and columns of an equilibrated matrix.
+/// Scale factors of rows and columns of an equilibrated matrix.
 #[derive(Clone, Debug)]
 struct Scales {
     rows: DVector<f64>,
@@ -66,7 +67,7 @@ struct Scales {
 }
 
 impl Bordered {
-    /// A zero matrix.
+    /// Zero matrix.
     pub fn zeros(layout: &Arc<Layout>) -> Bordered {
         Bordered {
             blocks: layout.blocks.iter().map(Block::zeros).collect(),
@@ -80,7 +81,7 @@ impl Bordered {
         self.layout.size()
     }
 
-    /// A block to add to.
+    /// Access to block `number`, for adding entries.
     pub fn block(&mut self, number: usize) -> Filling<'_> {
         Filling {
             border: self.layout.border,
@@ -90,7 +91,7 @@ impl Bordered {
         }
     }
 
-    /// The matrix with every entry in its place, for looking at small ones.
+    /// Dense copy, for looking at small matrices.
     pub fn dense(&self) -> DMatrix<f64> {
         let mut dense = DMatrix::zeros(self.size(), self.size());
         self.each(|row, column, value| dense[(row, column)] = value);
@@ -107,18 +108,18 @@ impl Bordered {
         self.corner.add_scaled(factor, &other.corner);
     }
 
-    /// LU factors: each block, then what it leaves of the border.
+    /// LU factors: each block, then the remaining corner.
     ///
     /// # Errors
-    /// The unknown whose pivot is zero, or not a number.
+    /// Unknown of a pivot that is zero or not a number.
     pub fn lu(self) -> Result<BorderedLu, SingularAt> {
         let Bordered { layout, blocks, corner } = self;
         BorderedLu::of(&layout, corner, blocks)
     }
 
-    /// LU factors of the matrix with its rows, then its columns, scaled to a largest entry near 1. Scales are powers of
-    /// two, so that scaling rounds nothing. One pass over each keeps the digits where columns of a block differ by no more
-    /// than 10⁸; those of a rod are slopes and positions, which differ by its slenderness.
+    /// LU factors after scaling rows, then columns, to a largest entry near 1. Scales are powers of two, so that
+    /// scaling causes no rounding. One pass preserves the digits as long as columns of a block differ by at most 10⁸;
+    /// those of a rod are slopes and positions, which differ by its slenderness.
     ///
     /// # Errors
     /// Those of [`lu`](Bordered::lu).
@@ -129,7 +130,7 @@ impl Bordered {
         Ok(BorderedLu { scales: Some(Scales { rows, columns }), ..self.lu()? })
     }
 
-    /// Largest sizes in places that `of` chooses from the row, the column and the value of each entry: with the value there.
+    /// Largest magnitudes by index: `of` maps row, column and value of each entry to an index and a value.
     fn largest(&self, of: impl Fn(usize, usize, f64) -> (usize, f64)) -> DVector<f64> {
         let mut largest = DVector::zeros(self.size());
         self.each(|row, column, value| {
@@ -139,7 +140,7 @@ impl Bordered {
         largest
     }
 
-    /// Every entry with its row and column.
+    /// Calls `f` with row, column and value of every entry.
     fn each(&self, mut f: impl FnMut(usize, usize, f64)) {
         for (layout, block) in self.layout.blocks.iter().zip(&self.blocks) {
             for row in 0..layout.size {
@@ -176,7 +177,7 @@ impl Bordered {
     }
 }
 
-/// The power of two that brings `size` into [½, 1); 1 for nothing.
+/// Power of two that scales `size` into [½, 1); 1 for zero, infinity and NaN.
 fn power_of_two(size: f64) -> f64 {
     if size > 0.0 && size.is_finite() { (-size.log2().floor() - 1.0).exp2() } else { 1.0 }
 }
@@ -210,7 +211,7 @@ impl BorderedLu {
         Ok(BorderedLu { layout: layout.clone(), blocks: eliminated, corner, scales: None })
     }
 
-    /// Solves A x = b in place; what is nothing in a long vector is zero ([`flush`]).
+    /// Solves A x = b in place; negligible entries of a long vector become zero ([`flush`]).
     pub fn solve(&self, b: &mut DVector<f64>) {
         if let Some(Scales { rows, .. }) = &self.scales {
             b.component_mul_assign(rows);

@@ -1,7 +1,8 @@
-//! LU factors of chains of elements that are coupled by a border: rods, and the points that they share.
+//! LU factors of chains of elements coupled by a border: rods, and the points that they share.
 //!
-//! Each chain is eliminated by itself ([`FrontalChain`](super::FrontalChain)) and leaves its part of a small band matrix over the border:
-//! the cost is linear in the number of rods and of their elements. The matrix is never there as a whole.
+//! Each chain is eliminated by itself ([`FrontalChain`](super::FrontalChain)) and leaves its part of a small band
+//! matrix over the border. The cost is linear in the number of rods and of their elements. The whole matrix is never
+//! stored.
 
 use nalgebra::DVector;
 
@@ -9,19 +10,19 @@ use super::frontal::Chain;
 use super::number::Number;
 use super::{BandLu, BandMatrix, SingularAt, flush};
 
-/// The factors, or memory for them.
+/// LU factors of the chains and of the border, or memory for them.
 #[derive(Debug)]
 pub struct CondensedFactors<F: Number = f64> {
     chains: Vec<Box<dyn Chain<F>>>,
     corner: Option<BandLu<F>>,
-    /// First unknown of the border, its size and the half-width of its band.
+    /// First unknown of the border; below, its size and the half-width of its band.
     border: usize,
     border_size: usize,
     border_band: usize,
 }
 
 impl<F: Number> CondensedFactors<F> {
-    /// Memory for the factors of these chains, with a border from the unknown `border` on.
+    /// Allocates memory for the factors of these chains, with a border that begins at the unknown `border`.
     pub fn new(
         chains: Vec<Box<dyn Chain<F>>>,
         border: usize,
@@ -31,10 +32,11 @@ impl<F: Number> CondensedFactors<F> {
         CondensedFactors { chains, corner: None, border, border_size, border_band }
     }
 
-    /// Factorises the matrix whose elements `fill` gives, by the numbers of the chain and of the element in it, as columns.
+    /// Factorises a matrix; `fill` writes an element's matrix, by columns, given the numbers of the chain and of the
+    /// element in it.
     ///
     /// # Errors
-    /// The unknown whose pivot is zero, or not a number. There are no factors then.
+    /// Unknown of a pivot that is zero or not a number; there are no factors then.
     pub fn factorize(&mut self, mut fill: impl FnMut(usize, usize, &mut [F])) -> Result<(), SingularAt> {
         let zeros = || BandMatrix::zeros(self.border_size, self.border_band);
         let mut corner = self.corner.take().map_or_else(zeros, BandLu::into_zeros);
@@ -45,9 +47,9 @@ impl<F: Number> CondensedFactors<F> {
         Ok(())
     }
 
-    /// Solves A x = b in place; what is nothing in a long vector is zero ([`flush`]).
+    /// Solves A x = b in place; negligible entries of a long vector become zero ([`flush`]).
     ///
-    /// Without factors the solution is not a number.
+    /// Without factors the solution is NaN.
     pub fn solve(&self, b: &mut DVector<F>) {
         let Some(corner) = &self.corner else {
             b.fill(F::from_real(f64::NAN));
@@ -60,7 +62,7 @@ impl<F: Number> CondensedFactors<F> {
         flush(b);
     }
 
-    /// Memory that the factors take, bytes.
+    /// Memory of the factors, bytes.
     pub fn bytes(&self) -> usize {
         let corner = BandMatrix::<F>::bytes(self.border_size, self.border_band);
         self.chains.iter().map(|chain| chain.bytes()).sum::<usize>() + corner

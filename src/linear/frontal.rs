@@ -1,12 +1,13 @@
-//! LU factors of a chain of elements, each of which shares its last coordinates with the next: a rod.
+//! LU factors of a rod's matrix by the frontal method: a chain of elements, each sharing its last coordinates with the
+//! next.
 //!
-//! One element after the other is added to a front of its `N` coordinates. Those that no later element touches, which are
-//! all of its interior nodes and the node that it shares with the element before, are eliminated there; what they leave of the
-//! last node is the beginning of the next front. Nothing outside of a front is stored or multiplied, and every loop is as long as
-//! the compiler knows it to be.
+//! Elements are added one after the other to a front of `N` coordinates. Coordinates that no later element touches are
+//! eliminated there: all interior nodes, and the node shared with the element before. What remains of the last node
+//! starts the next front. Nothing outside a front is stored or multiplied, and the compiler knows the length of every
+//! loop.
 //!
-//! Coordinates that rods share, the *border*, are not eliminated: they stand beside the front in columns and rows of their own,
-//! from the first element that touches them on.
+//! Coordinates shared between rods, the *border*, are not eliminated. They stand beside the front in columns and rows
+//! of their own, from the first element that touches them on.
 
 mod front;
 mod place;
@@ -21,45 +22,45 @@ use super::{BandMatrix, SingularAt};
 
 pub use place::{MOST_BORDER_UNKNOWNS, NONE};
 
-/// The factors of one rod's matrix, whatever its elements.
+/// LU factors of one rod's matrix, for any element type.
 pub trait Chain<F: Number>: Debug + Send + Sync {
-    /// Factorises the matrix whose elements `fill` gives by their number, by columns; what the chain leaves of the border is added
-    /// to the corner.
+    /// Factorises a matrix and adds the remainder of the border to the corner; `fill` writes an element's matrix, by
+    /// columns, given its number.
     ///
     /// # Errors
-    /// The unknown whose pivot is zero, or not a number.
+    /// Unknown of a pivot that is zero or not a number.
     fn factorize(
         &mut self,
         fill: &mut dyn FnMut(usize, &mut [F]),
         corner: &mut BandMatrix<F>,
     ) -> Result<(), SingularAt>;
 
-    /// Forward elimination of a right-hand side in place, the border's part of it too.
+    /// Forward elimination of a right-hand side in place, including the border's part.
     fn forward(&self, b: &mut [F]);
 
     /// Back substitution, once the border's unknowns are known.
     fn backward(&self, b: &mut [F]);
 
-    /// Memory that the factors take, bytes.
+    /// Memory of the factors, bytes.
     fn bytes(&self) -> usize;
 }
 
-/// A chain of elements with `N` coordinates each.
+/// LU factors of a chain of elements with `N` coordinates each.
 #[derive(Clone, Debug)]
 pub struct FrontalChain<F, const N: usize> {
     places: Vec<ElementPlaces<N>>,
     fronts: Vec<Front<F, N>>,
-    /// Of each front one for each of the border's unknowns that the chain has reached there.
+    /// Sides of all fronts: one for each border unknown that the chain has reached by then.
     sides: Vec<Side<F, N>>,
-    /// The border's unknowns that it touches, in the order in which it reaches them.
+    /// Border unknowns of the chain, in the order in which it reaches them.
     touches: Vec<usize>,
-    /// The border's first unknown.
+    /// First unknown of the border.
     border: usize,
 }
 
 impl<F: Number, const N: usize> FrontalChain<F, N> {
-    /// The chain of elements with these unknowns ([`NONE`] where a coordinate is held), of which those from `border` on are the
-    /// border's.
+    /// Allocates the factors of elements with these unknowns ([`NONE`] where a coordinate is held); those from `border`
+    /// on belong to the border.
     pub fn new(elements: impl Iterator<Item = [u32; N]>, border: usize) -> FrontalChain<F, N> {
         let (mut places, mut touches, mut sides) = (Vec::new(), Vec::new(), 0);
         for unknowns in elements {
@@ -78,17 +79,17 @@ impl<F: Number, const N: usize> FrontalChain<F, N> {
         }
     }
 
-    /// Memory that the factors take for each element at most, bytes.
+    /// Largest memory of the factors per element, bytes.
     pub const fn bytes_each() -> usize {
         size_of::<Front<F, N>>() + MOST_BORDER_UNKNOWNS * size_of::<Side<F, N>>()
     }
 
-    /// Coordinates that are eliminated in a front: in the last one all.
+    /// Number of coordinates eliminated in a front: all in the last one.
     fn pivots(&self, element: usize) -> usize {
         if element + 1 == self.places.len() { N } else { N - SHARED }
     }
 
-    /// Sides of an element's front, with the border's unknowns that they belong to.
+    /// Sides of an element's front, with their border unknowns.
     fn sides(&self, place: &ElementPlaces<N>) -> impl Iterator<Item = (&Side<F, N>, usize)> {
         self.sides[place.first_side..][..place.reached].iter().zip(self.touches.iter().copied())
     }
@@ -137,7 +138,7 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
             for (k, swap) in front.swaps[..pivots].iter().enumerate() {
                 y.swap(k, *swap as usize);
             }
-            // A whole column each time: what it does to the rows down to k is of no use, and they are put aside before.
+            // Each pass takes a whole column, for speed. It spoils the rows down to k, which are saved before.
             let mut solved = y;
             for k in 0..pivots {
                 solved[k] = y[k];
@@ -172,7 +173,7 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
                     subtract(known, column, &mut y);
                 }
             }
-            // As in the forward elimination, with the rows from k on.
+            // As in forward elimination, with the rows from k on.
             let mut solved = y;
             for k in (0..pivots).rev() {
                 solved[k] = y[k] * front.lu[k][k];

@@ -1,37 +1,37 @@
-//! The largest eigenvalue of K x = λ M x, from products with K and solutions with M (Lanczos 1950).
+//! Largest eigenvalue of K x = λ M x, from products with K and solutions with M (Lanczos 1950).
 
 use nalgebra::{DMatrix, DVector};
 
-/// How well the eigenvalue is to be known, of itself: well enough for the iteration not to rest at one below the largest.
+/// Relative accuracy of the eigenvalue: enough for the iteration not to stop at one below the largest.
 const ENOUGH: f64 = 1e-6;
 
-/// Iterations at most.
+/// Most iterations.
 const MOST: usize = 200;
 
-/// Iterations from one look at the eigenvalue to the next.
+/// Iterations between convergence checks.
 const STRIDE: usize = 20;
 
-/// K and M, both symmetric, M positive definite.
+/// Symmetric matrices K and M, M positive definite.
 pub trait Pencil {
     /// Number of unknowns.
     fn size(&self) -> usize;
 
-    /// K x into `product`.
+    /// Product K x, into `product`.
     fn stiffness(&mut self, x: &DVector<f64>, product: &mut DVector<f64>);
 
-    /// M x into `product`.
+    /// Product M x, into `product`.
     fn mass(&mut self, x: &DVector<f64>, product: &mut DVector<f64>);
 
-    /// M⁻¹ x in place.
+    /// Solution M⁻¹ x, in place.
     fn solve_mass(&mut self, x: &mut DVector<f64>);
 }
 
-/// The largest eigenvalue, and by how much it may be missed: within that distance there is an eigenvalue for certain. That it is the
-/// largest is not: an iteration can rest at one below for a while, which the accuracy asked for makes unlikely. `None` where it does not
-/// settle.
+/// Largest eigenvalue, and a bound on its error: some eigenvalue lies within that distance for certain. It need not be
+/// the largest, since an iteration can linger at one below; the required accuracy makes that unlikely. `None` without
+/// convergence.
 pub fn largest_eigenvalue(pencil: &mut impl Pencil) -> Option<(f64, f64)> {
     let n = pencil.size();
-    // Anything without a pattern of its own.
+    // Any start vector without a pattern.
     let mut v = DVector::from_fn(n, |i, _| (1.0 + 12.9898 * i as f64).sin());
     let (mut mass_v, mut before, mut next) = (DVector::zeros(n), DVector::zeros(n), DVector::zeros(n));
     let (mut alphas, mut betas): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
@@ -40,7 +40,7 @@ pub fn largest_eigenvalue(pencil: &mut impl Pencil) -> Option<(f64, f64)> {
     for iteration in 1..=MOST.min(n) {
         v /= beta;
         mass_v /= beta;
-        // M⁻¹ K v less what the last two vectors have of it, in the inner product of M.
+        // M⁻¹ K v, orthogonalised against the last two vectors in the inner product of M.
         pencil.stiffness(&v, &mut next);
         let alpha = v.dot(&next);
         pencil.solve_mass(&mut next);
@@ -64,7 +64,7 @@ pub fn largest_eigenvalue(pencil: &mut impl Pencil) -> Option<(f64, f64)> {
     None
 }
 
-/// The largest eigenvalue of the tridiagonal matrix, and the residual of its eigenvector in the whole space.
+/// Largest eigenvalue of the tridiagonal matrix, and the residual of its eigenvector in the whole space.
 fn of_tridiagonal(diagonal: &[f64], beside: &[f64], next: f64) -> Option<(f64, f64)> {
     let n = diagonal.len();
     let entry = |i: usize, j: usize| match i.abs_diff(j) {
@@ -85,7 +85,7 @@ fn of_tridiagonal(diagonal: &[f64], beside: &[f64], next: f64) -> Option<(f64, f
 mod tests {
     use super::*;
 
-    /// Springs in a row between equal masses of twos: λ = 4k/m sin²(nπ/2(N + 1)).
+    /// Springs in a row between equal masses of 2: λ = 4k/m sin²(nπ/2(N + 1)).
     struct Springs(usize);
 
     impl Pencil for Springs {

@@ -1,30 +1,30 @@
-//! Where the unknowns of a bordered matrix stand.
+//! Numbering of the unknowns of a bordered matrix.
 
 use super::BandMatrix;
 
-/// Where everything stands; found once for a structure.
+/// Numbering of blocks and border, found once per structure.
 #[derive(Clone, Debug, Default)]
 pub struct Layout {
-    /// The blocks; block i's own unknowns follow on those of block i − 1.
+    /// Blocks; the unknowns of block i follow those of block i − 1.
     pub blocks: Vec<BlockLayout>,
-    /// First unknown of the border, the number of unknowns before it.
+    /// First unknown of the border, which is the number of unknowns before it.
     pub border: usize,
-    /// Number of the border's unknowns.
+    /// Number of border unknowns.
     pub border_size: usize,
     /// Half-width of the border's band.
     pub border_band: usize,
 }
 
-/// One block's place.
+/// Unknowns of one block.
 #[derive(Clone, Debug, Default)]
 pub struct BlockLayout {
-    /// Its first unknown.
+    /// First unknown of the block.
     pub first: usize,
-    /// Number of its own unknowns.
+    /// Number of unknowns of the block.
     pub size: usize,
-    /// Half-width of its band.
+    /// Half-width of the block's band.
     pub band: usize,
-    /// Unknowns of the border that it touches.
+    /// Border unknowns that the block touches.
     pub touches: Vec<usize>,
 }
 

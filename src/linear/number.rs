@@ -1,7 +1,7 @@
-//! The numbers of matrices.
+//! Number types of matrices.
 
 use nalgebra::ComplexField;
 
-/// A number that matrices are made of: real, or complex for methods whose stages are coupled.
+/// Number type of a matrix: real, or complex for methods with coupled stages.
 pub trait Number: ComplexField<RealField = f64> + Copy {}
 impl<F: ComplexField<RealField = f64> + Copy> Number for F {}

@@ -1,4 +1,4 @@
-//! The built-in scenes, embedded in the program.
+//! Built-in scenes, embedded in the library.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -8,11 +8,11 @@ use super::nearest::nearest;
 use super::scissors::Scissors;
 use crate::error::{Error, Result};
 
-/// Largest scene file that is read, bytes. A scene of 100 000 rods stays below it; a device or a data file that was
-/// named by mistake does not fill the memory.
+/// Largest scene file, bytes: more than 100 000 rods need. A device or data file named by mistake does not fill the
+/// memory.
 const LARGEST_FILE: u64 = 16 << 20;
 
-/// Name and JSON text of each built-in scene.
+/// Names and JSON texts of the built-in scenes.
 const BUILTIN: [(&str, &str); 10] = [
     ("pendulum-flexible", include_str!("scenes/pendulum-flexible.json")),
     ("pendulum-1d", include_str!("scenes/pendulum-1d.json")),
@@ -26,15 +26,15 @@ const BUILTIN: [(&str, &str); 10] = [
     ("scissor-static", include_str!("scenes/scissor-static.json")),
 ];
 
-/// Names of the built-in scenes. There are more of one kind, [`Scissors::named`].
+/// Names of the built-in scenes. Scissors of any number exist besides, see [`Scissors::named`].
 pub fn builtin_names() -> impl Iterator<Item = &'static str> {
     BUILTIN.iter().map(|(name, _)| *name)
 }
 
-/// The JSON text of a built-in scene, a file to start from.
+/// JSON text of a built-in scene, to start a file from.
 ///
 /// # Errors
-/// [`Error::Read`] with the nearest name if no built-in scene has this one, and [`Error::Scene`] for too many scissors.
+/// [`Error::Read`] with the nearest name if there is no such scene; [`Error::Scene`] for too many scissors.
 pub fn builtin_text(name: &str) -> Result<Cow<'static, str>> {
     if let Some((_, text)) = BUILTIN.iter().find(|(known, _)| *known == name) {
         return Ok(Cow::Borrowed(text));
@@ -45,13 +45,14 @@ pub fn builtin_text(name: &str) -> Result<Cow<'static, str>> {
     Err(Error::Read { path: name.into(), source: io::Error::new(io::ErrorKind::NotFound, unknown(name)) })
 }
 
+/// Reason for an unknown scene name, with the nearest known one.
 fn unknown(name: &str) -> String {
     let nearest =
         nearest(name, builtin_names()).map_or(String::new(), |nearest| format!("the nearest is `{nearest}`, "));
     format!("no built-in scene has this name; {nearest}`ancf scenes` lists all")
 }
 
-/// The text of a built-in scene if the name is one, else of the file.
+/// JSON text of the built-in scene of this name, or else of the file.
 ///
 /// # Errors
 /// Those of [`builtin_text`]; [`Error::Read`] for a file that cannot be read.
@@ -64,7 +65,7 @@ pub fn text_of(name_or_path: &str) -> Result<Cow<'static, str>> {
     }
 }
 
-/// The text of the file at `path`.
+/// Content of the file at `path`.
 fn read(path: &str) -> io::Result<String> {
     let explain = |source: io::Error| match source.kind() {
         io::ErrorKind::NotFound => io::Error::new(source.kind(), format!("no such file, and {}", unknown(path))),

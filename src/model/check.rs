@@ -1,11 +1,11 @@
-//! What a check of a scene finds: a key, its value, and what is allowed there.
+//! Result of a check: the refused key, its value, and what is allowed.
 
 use std::fmt::Display;
 
 use super::json::locate::quote;
 use crate::error::Error;
 
-/// A value that is not allowed: the path of its key, the value, and what is allowed.
+/// Refused value, with the path of its key and what is allowed.
 #[derive(Debug)]
 pub struct Refusal {
     pub key: String,
@@ -14,7 +14,7 @@ pub struct Refusal {
 }
 
 impl Refusal {
-    /// The error, with the name of the file and the place in it.
+    /// Error with the name of the file and the place in it.
     pub fn into_error(self, file: &str, place: Option<(usize, usize)>) -> Error {
         let file = place.map_or(file.to_string(), |(line, column)| format!("{file}:{line}:{column}"));
         let key = match quote(&self.key) {
@@ -42,7 +42,7 @@ pub fn finite(key: impl Display, value: f64) -> Check {
     require(value.is_finite(), key, value, "a finite number")
 }
 
-/// Refuses numbers that are not over 0.
+/// Refuses numbers that are not positive.
 pub fn positive(key: impl Display, value: f64) -> Check {
     require(value.is_finite() && value > 0.0, key, format_args!("{value:?}"), "a finite number over 0")
 }

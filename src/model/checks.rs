@@ -1,4 +1,4 @@
-//! What a scene has to fulfil beyond the types of its values, one part of it after the other.
+//! Conditions of a valid scene beyond the types of its values, one group after the other.
 
 mod heat;
 mod history;
@@ -25,7 +25,7 @@ use supports::check_supports;
 use time::{check_output, check_time};
 use topology::check_topology;
 
-/// Everything that a scene has to fulfil.
+/// Checks every condition of a scene.
 pub fn check(scene: &Scene) -> Check {
     check_line("title", &scene.title)?;
     for (i, note) in scene.notes.iter().enumerate() {
@@ -72,14 +72,14 @@ fn check_material(key: impl Display, material: &Material) -> Check {
 fn check_section(key: impl Display, section: &Section) -> Check {
     positive(format_args!("{key}.height"), section.height)?;
     positive(format_args!("{key}.width"), section.width)?;
-    // The highest of the section's integrals, which bending in large strains needs; an underflow would take it away in silence.
+    // The highest integral of the section, needed for bending in large strains; an underflow would silently remove it.
     let highest = section.width * section.height.powi(5);
     let allowed =
         "a height whose fifth power times the width is a number that f64 holds in all its digits; other units help";
     require(highest.is_normal(), format_args!("{key}.height"), format_args!("{:?}", section.height), allowed)
 }
 
-/// Only generalized-α solves equation (23) with its multipliers.
+/// Only generalized-α solves equation (23) with multipliers.
 fn check_constraints(scene: &Scene) -> Check {
     let holds = scene.constraints != Constraints::Multipliers || scene.time.method == Method::GeneralizedAlpha;
     let allowed = format_args!(
@@ -89,7 +89,7 @@ fn check_constraints(scene: &Scene) -> Check {
     require(holds, "constraints", "\"multipliers\"", allowed)
 }
 
-/// The printed shear term is that of the paper's element, as printed.
+/// The printed shear term belongs to the paper's element with Poisson's terms in the whole section.
 fn check_form(scene: &Scene) -> Check {
     let printed = |rod: &Rod| rod.element == Element::Ancf && rod.poisson == Poisson::Full;
     let other = scene.rods.iter().find(|rod| !printed(rod));

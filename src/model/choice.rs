@@ -1,17 +1,17 @@
-//! What a scene file chooses by a word.
+//! Choices that a scene file makes by a word.
 
 use super::json::words::words;
 
 words! {
-    /// Version of the scene file's format.
+    /// Version of the scene file format.
     pub enum Schema {
-        /// The first.
+        /// First version.
         V1 = "ancf-scene/1",
     }
 }
 
 words! {
-    /// A direction that a support holds.
+    /// Direction held by a support.
     pub enum Direction {
         /// Along the global x axis.
         X = "x",
@@ -21,25 +21,26 @@ words! {
 }
 
 words! {
-    /// Which element a rod is made of.
+    /// Element type of a rod.
     #[derive(Default)]
     pub enum Element {
-        /// The paper's: shear deformable, 14 coordinates.
+        /// Element of the paper: shear deformable, 14 coordinates.
         #[default]
         Ancf = "ancf",
-        /// The paper's competitor ([`equations::cable`](crate::equations::cable)): no shear, axial heat, 8 coordinates.
+        /// Euler–Bernoulli element that the paper compares with ([`equations::cable`](crate::equations::cable)): no
+        /// shear, axial heat, 8 coordinates.
         EulerBernoulli = "euler-bernoulli",
     }
 }
 
 words! {
-    /// Which form of the paper's element, where the paper is wrong.
+    /// Form of the paper's element where the paper has an error.
     #[derive(Default)]
     pub enum Form {
-        /// The energy that is the same in every frame.
+        /// Consistent form: the energy is the same in every frame.
         #[default]
         Consistent = "consistent",
-        /// The shear counted once, as printed (E3): inclined rods lose stiffness. To compare, and slow.
+        /// Shear counted once, as printed (E3): inclined rods lose stiffness. For comparison, and slow.
         PrintedShear = "printed-shear",
     }
 }
@@ -48,108 +49,111 @@ words! {
     /// Where Poisson's terms act.
     #[derive(Default)]
     pub enum Poisson {
-        /// Across the whole section: the paper's element, which locks where ν is not 0.
+        /// In the whole section: the paper's element, which locks for ν ≠ 0.
         #[default]
         Full = "full",
-        /// On the rod's axis only ([`equations::axis`](crate::equations::axis)): the cure.
+        /// On the rod's axis only ([`equations::axis`](crate::equations::axis)): cures the locking.
         Axis = "axis",
     }
 }
 
 words! {
-    /// Which strains heat causes.
+    /// Strains caused by heat.
     #[derive(Default)]
     pub enum ThermalModel {
-        /// Along the rod and across it: ε_T = αΔT I, equation (8). Euler–Bernoulli elements have no section to heat across.
+        /// Along and across the rod: ε_T = αΔT I, equation (8). Euler–Bernoulli elements have no section to heat
+        /// across.
         #[default]
         TwoD = "2d",
         /// Along the rod only: ε_T = αΔT t⊗t with the rod's initial direction t.
         OneD = "1d",
-        /// None: the history is ignored.
+        /// No strain: the history is ignored.
         None = "none",
     }
 }
 
 words! {
-    /// How the heat of t = 0 meets the structure.
+    /// State of the structure under the heat of t = 0.
     #[derive(Default)]
     pub enum Start {
-        /// The structure is unstretched at t = 0, so that its thermal stress is there at once.
+        /// Unstretched at t = 0: thermal stress appears at once.
         #[default]
         Sudden = "sudden",
-        /// The structure is at the stress-free stretch: √(1 + 2αΔT(0)), of Euler–Bernoulli elements 1 + αΔT(0).
+        /// At the stress-free stretch: √(1 + 2αΔT(0)), or 1 + αΔT(0) for Euler–Bernoulli elements.
         Relaxed = "relaxed",
     }
 }
 
 words! {
-    /// Time-stepping method.
+    /// Time-stepping method, or statics.
     #[derive(Default)]
     pub enum Method {
         /// Chung and Hulbert's generalized-α with the spectral radius ρ∞.
         #[default]
         GeneralizedAlpha = "generalized-alpha",
-        /// Mid-point rule with the step-averaged stress; keeps the energy exactly.
+        /// Energy–momentum rule: mid-point rule with the step-averaged stress; conserves energy exactly.
         EnergyMomentum = "energy-momentum",
-        /// Velocity Verlet; its step is limited by the largest frequency.
+        /// Velocity Verlet; the largest frequency limits the step.
         Explicit = "explicit",
-        /// Gauss collocation with two stages: implicit, of order four.
+        /// Gauss collocation with two stages: implicit, fourth order.
         Gauss = "gauss",
-        /// Dormand, El-Mikkawy and Prince's Runge–Kutta–Nyström method: explicit, of order four.
+        /// Runge–Kutta–Nyström method of Dormand, El-Mikkawy and Prince: explicit, fourth order.
         Nystrom = "nystrom",
-        /// The same as "gauss", with steps as long as `tolerance` allows.
+        /// Gauss collocation with adaptive steps: as long as `tolerance` allows.
         GaussAdaptive = "gauss-adaptive",
-        /// The same as "nystrom", with steps as long as `tolerance` allows.
+        /// Runge–Kutta–Nyström with adaptive steps: as long as `tolerance` allows.
         NystromAdaptive = "nystrom-adaptive",
-        /// No motion: equilibrium as loads and heat grow from nothing to their full size.
+        /// Statics: equilibrium under loads and heat that grow from zero to their full size.
         Static = "static",
     }
 }
 
 impl Method {
-    /// Whether accelerations come from the equation of motion alone, without a system of equations in the stiffness.
+    /// Whether the method is explicit: accelerations follow from the equation of motion without solving a system with
+    /// the stiffness.
     pub fn is_explicit(self) -> bool {
         matches!(self, Method::Explicit | Method::Nystrom | Method::NystromAdaptive)
     }
 
-    /// Whether it chooses its own steps.
+    /// Whether the method chooses its steps by an error estimate.
     pub fn is_adaptive(self) -> bool {
         matches!(self, Method::GaussAdaptive | Method::NystromAdaptive)
     }
 }
 
 words! {
-    /// How pins and supports are kept.
+    /// How pins and supports are enforced.
     #[derive(Default)]
     pub enum Constraints {
-        /// Pinned points share their coordinates, and held ones have none: there are no multipliers.
+        /// Pinned points share coordinates and held coordinates are removed; there are no multipliers.
         #[default]
         Condensed = "condensed",
-        /// Equation (23): every rod has its own coordinates, and Lagrange's multipliers keep the constraints.
+        /// Equation (23): every rod has its own coordinates, and Lagrange multipliers enforce the constraints.
         Multipliers = "multipliers",
     }
 }
 
 words! {
-    /// What a probe records.
+    /// Quantity that a probe records.
     pub enum Quantity {
         /// Position, m.
         Position = "position",
         /// Velocity, m/s.
         Velocity = "velocity",
-        /// Acceleration from the equation of motion, m/s². After a sudden load its value at an instant does not converge with
-        /// the mesh.
+        /// Acceleration from the equation of motion, m/s². After a sudden load its instantaneous value does not
+        /// converge with the mesh.
         Acceleration = "acceleration",
-        /// Force of a support on the structure, or all that acts on one rod at the point but its weight (other rods, supports
-        /// and point forces), N. At an instant it converges no better than an acceleration.
+        /// Reaction, N: force of the supports on the structure. On one rod: the force of all others at the point (rods,
+        /// supports, point forces), without its weight. An instantaneous value converges no better than an
+        /// acceleration.
         Reaction = "reaction",
-        /// Distance of a rod's axis from the chord through its ends, m, positive to the left of from → to.
+        /// Deflection, m: distance of a rod's axis from the chord through its ends, positive to the left of from → to.
         Deflection = "deflection",
     }
 }
 
 impl Quantity {
-    /// How the names of its columns end.
+    /// Endings of its column names.
     pub(crate) fn suffixes(self) -> &'static [&'static str] {
         match self {
             Quantity::Position => &["x", "y"],
@@ -161,7 +165,7 @@ impl Quantity {
     }
 }
 
-/// Whether a value is the one that a scene file may leave out.
+/// Whether a value is the default, which a scene file may leave out.
 pub(super) fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
 }

@@ -1,38 +1,47 @@
-//! Forces at points.
+//! Point forces.
 
 use serde::{Deserialize, Serialize};
 
 use super::history::interpolate;
 use super::json::shape;
 
-/// A force at a point.
+/// Force at a point, constant or with a history.
+///
+/// ```
+/// use ancf::model::Force;
+///
+/// let ramp = Force::new("tip", [0.0, -50.0]).history(vec![[0.0, 0.0], [0.5, 1.0]]);
+/// assert_eq!(ramp.at(0.25), [0.0, -25.0]);
+/// assert_eq!(ramp.at(9.0), [0.0, -50.0]);
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Force {
-    /// Name of the point.
+    /// Name of the loaded point.
     pub point: String,
-    /// The force [F_x, F_y], N; it keeps its direction.
+    /// Force [F_x, F_y], N; its direction is fixed in space.
     pub force: [f64; 2],
-    /// Pairs [t, factor], in the order of time: the factor is linear between them, constant before the first and after
-    /// the last. `None`: always 1.
+    /// Factor over time: pairs [t, factor] in order of time, linear in between, constant before the first and after the
+    /// last. `None`: always 1.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub history: Option<Vec<[f64; 2]>>,
 }
 
 impl Force {
-    /// A constant force [F_x, F_y] at a point, N.
+    /// Constant force [F_x, F_y] at a point, N.
     pub fn new(point: &str, force: [f64; 2]) -> Force {
         Force { point: point.into(), force, history: None }
     }
 
-    /// Sets its factor over time, pairs [t, factor].
+    /// Sets the factor over time: pairs [t, factor].
     #[must_use]
     pub fn history(mut self, history: Vec<[f64; 2]>) -> Force {
         self.history = Some(history);
         self
     }
 
-    /// The force [F_x, F_y] at time `t` in s, N.
+    /// Force [F_x, F_y] at time `t` (s), N.
     pub fn at(&self, t: f64) -> [f64; 2] {
         let factor = self.history.as_ref().and_then(|history| interpolate(history, t)).unwrap_or(1.0);
         self.force.map(|component| factor * component)

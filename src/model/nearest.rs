@@ -1,13 +1,12 @@
-//! The known name that a misspelt one is most like.
+//! Suggestions for misspelt names.
 
-/// How much of a name is compared when the nearest known one is looked for, in characters.
+/// Number of characters compared.
 const COMPARED: usize = 64;
 
-/// Likeness under which a known name is no suggestion: with more than half of the letters others, it is another name and not a misspelt
-/// one.
+/// Least similarity of a suggestion. Below it more than half of the letters differ: another name, not a misspelling.
 const ALIKE: f64 = 0.5;
 
-/// The known name that is most like `name`, whatever the case of its letters; `None` where none is like it.
+/// Known name most similar to `name`, ignoring case; `None` where none is similar.
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let prepare = |name: &str| name.chars().take(COMPARED).collect::<String>().to_lowercase();
     let name = prepare(name);
@@ -16,7 +15,7 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     known.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, other)| other)
 }
 
-/// The nearest name in words that follow what is allowed; empty where none is like it.
+/// Suggestion to append to a message; empty where no known name is similar.
 pub fn or_nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     nearest(name, known).map_or(String::new(), |nearest| format!("; nearest: `{nearest}`"))
 }

@@ -1,34 +1,35 @@
-//! The plan: what a scene needs computed, and what is left out because nothing of it would show in the results.
+//! The plan of a run: terms that a scene needs, and terms left out because they cannot affect the results.
 //!
-//! Leaving something out changes no force, no tangent and no trajectory beyond rounding; [`Plan::full`] computes it all the
-//! same, for tests that hold both equal and for the study that measures what each economy saves.
+//! Leaving a term out changes no force, tangent or trajectory beyond rounding. [`Plan::full`] computes every term, for
+//! tests of that equality and for the study that measures the time saved.
 
 use serde::Serialize;
 
 use super::choice::{Constraints, Form, Method, Quantity};
 use super::scene::Scene;
 
-/// What is computed.
+/// Terms that a run computes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Plan {
-    /// Thermal strains, each time that forces are evaluated, and the work of heating.
+    /// Thermal strains in every force evaluation, and the work of heating.
     pub heat: bool,
     /// Poisson's terms λ tr ε of the paper's element.
     pub poisson: bool,
-    /// The weight of the rods.
+    /// Weight of the rods.
     pub weight: bool,
     /// Energies and the work of loads.
     pub energy: bool,
-    /// Accelerations from the equation of motion, with which reactions come too.
+    /// Accelerations from the equation of motion, and reactions, which follow from them.
     pub acceleration: bool,
-    /// Multipliers of pins and supports.
+    /// Lagrange multipliers of pins and supports.
     pub multipliers: bool,
-    /// A new matrix for every iteration of Newton's method.
+    /// A new matrix in every Newton iteration.
     pub new_matrices: bool,
 }
 
 impl Plan {
-    /// What a scene needs.
+    /// Plan with the terms that a scene needs.
     pub fn of(scene: &Scene) -> Plan {
         let moves = scene.time.method != Method::Static;
         let asked = |quantity| scene.probes.iter().any(|probe| probe.of.contains(&quantity));
@@ -43,7 +44,7 @@ impl Plan {
         }
     }
 
-    /// Everything, needed or not; multipliers as the scene says, as they are other unknowns.
+    /// Plan with every term, needed or not; multipliers as the scene says, since they are additional unknowns.
     pub fn full(scene: &Scene) -> Plan {
         Plan {
             heat: true,
@@ -56,7 +57,7 @@ impl Plan {
         }
     }
 
-    /// The parts in words: what is computed or left out, whether it is computed, and why.
+    /// Terms in words: each with whether it is computed, and why.
     pub fn parts(&self, scene: &Scene) -> Vec<Part> {
         let part = |what, computed, why: &str| Part { what, computed, why: why.into() };
         let explicit = scene.time.method.is_explicit();
@@ -120,18 +121,19 @@ impl Plan {
     }
 }
 
-/// Whether a material strains across its stress.
+/// Whether a material has ν ≠ 0.
 fn has_poisson(scene: &Scene) -> bool {
     scene.rods.iter().any(|rod| scene.material(rod).nu != 0.0)
 }
 
-/// One part of a plan.
+/// One term of a plan, in words.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Part {
-    /// What it is.
+    /// Name of the term.
     pub what: &'static str,
-    /// Whether it is computed.
+    /// Whether the term is computed.
     pub computed: bool,
-    /// Why, or why not.
+    /// Reason for computing it or leaving it out.
     pub why: String,
 }

@@ -1,4 +1,4 @@
-//! Rods and what they are made of.
+//! Rods, materials and cross-sections.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,8 +6,16 @@ use super::choice::{Element, Poisson, is_default};
 use super::heat::Temperature;
 use super::json::shape;
 
-/// An isotropic, linear thermo-elastic material.
+/// Isotropic, linear thermo-elastic material.
+///
+/// ```
+/// use ancf::model::Material;
+///
+/// let aluminium = Material::new(7e10, 0.3, 2750.0).alpha(2.3e-5);
+/// assert_eq!(aluminium.alpha, 2.3e-5);
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Young's modulus, Pa; positive.
@@ -17,18 +25,18 @@ pub struct Material {
     pub nu: f64,
     /// Density ρ, kg/m³; positive.
     pub rho: f64,
-    /// Coefficient of thermal expansion α, 1/K; may be left out of a file that heats nothing.
+    /// Coefficient of thermal expansion α, 1/K; may be left out of a file without heat.
     #[serde(default)]
     pub alpha: f64,
 }
 
 impl Material {
-    /// A material that heat does not expand: Young's modulus (Pa), Poisson's ratio, density (kg/m³).
+    /// Material without thermal expansion: Young's modulus (Pa), Poisson's ratio, density (kg/m³).
     pub fn new(youngs_modulus: f64, nu: f64, rho: f64) -> Material {
         Material { youngs_modulus, nu, rho, alpha: 0.0 }
     }
 
-    /// Sets the coefficient of thermal expansion, 1/K.
+    /// Sets the coefficient of thermal expansion α, 1/K.
     #[must_use]
     pub fn alpha(mut self, alpha: f64) -> Material {
         self.alpha = alpha;
@@ -36,8 +44,16 @@ impl Material {
     }
 }
 
-/// A rectangular cross-section.
+/// Rectangular cross-section.
+///
+/// ```
+/// use ancf::model::Section;
+///
+/// let section = Section::new(0.02, 0.01);
+/// assert_eq!((section.height, section.width), (0.02, 0.01));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Section {
     /// Height h in the plane of motion, m; positive.
@@ -47,41 +63,53 @@ pub struct Section {
 }
 
 impl Section {
-    /// A section of this height in the plane of motion and width across it, m.
+    /// Cross-section from its height in the plane of motion and its width across it, m.
     pub fn new(height: f64, width: f64) -> Section {
         Section { height, width }
     }
 }
 
-/// A straight rod between two points.
+/// Straight rod between two points.
+///
+/// ```
+/// use ancf::model::{Element, Rod};
+///
+/// let rod = Rod::new("ab", "a", "b");
+/// assert_eq!((rod.elements, rod.element), (8, Element::Ancf));
+///
+/// let scissor = Rod::new("cd", "c", "d").elements(Element::EulerBernoulli, 4).pivot("m");
+/// assert_eq!(scissor.pivot.as_deref(), Some("m"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Rod {
-    /// The rod's own name.
+    /// Name of the rod.
     pub name: String,
-    /// Name of the point where it begins.
+    /// Name of its first point.
     pub from: String,
-    /// Name of the point where it ends.
+    /// Name of its last point.
     pub to: String,
-    /// Number of elements, all of one length.
+    /// Number of elements, all of equal length.
     #[serde(default = "default_elements")]
     pub elements: usize,
-    /// Which element it is made of.
+    /// Element type.
     #[serde(default, skip_serializing_if = "is_default")]
     pub element: Element,
     /// Where Poisson's terms act in the paper's element.
     #[serde(default, skip_serializing_if = "is_default")]
     pub poisson: Poisson,
-    /// Name of the point at its middle, a node for even and odd numbers of elements; rods with one pivot are pinned there.
+    /// Name of the pivot, a point at the rod's middle; rods with the same pivot are pinned together there. The paper's
+    /// element has a node there for even and odd numbers of elements.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub pivot: Option<String>,
-    /// Its own material; `None`: the scene's.
+    /// The rod's own material; `None`: the scene's.
     #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
     pub material: Option<Material>,
-    /// Its own cross-section; `None`: the scene's.
+    /// The rod's own cross-section; `None`: the scene's.
     #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
     pub section: Option<Section>,
-    /// Its own change of temperature; `None`: the scene's.
+    /// The rod's own temperature change; `None`: the scene's.
     #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
     pub temperature: Option<Temperature>,
 }
@@ -91,7 +119,7 @@ fn default_elements() -> usize {
 }
 
 impl Rod {
-    /// A rod between two points: 8 of the paper's elements, with the scene's material, section and temperature.
+    /// Rod between two points, with 8 of the paper's elements and the scene's material, section and temperature.
     pub fn new(name: &str, from: &str, to: &str) -> Rod {
         Rod {
             name: name.into(),
@@ -107,28 +135,28 @@ impl Rod {
         }
     }
 
-    /// Sets the kind and the number of its elements.
+    /// Sets the element type and the number of elements.
     #[must_use]
     pub fn elements(mut self, element: Element, elements: usize) -> Rod {
         (self.element, self.elements) = (element, elements);
         self
     }
 
-    /// Names the point at its middle: rods with one pivot are pinned there.
+    /// Names the point at the rod's middle: rods with the same pivot are pinned together there.
     #[must_use]
     pub fn pivot(mut self, name: &str) -> Rod {
         self.pivot = Some(name.into());
         self
     }
 
-    /// Gives it a temperature of its own.
+    /// Gives the rod a temperature change of its own.
     #[must_use]
     pub fn temperature(mut self, temperature: Temperature) -> Rod {
         self.temperature = Some(temperature);
         self
     }
 
-    /// Whether it has a node of this name: where it begins, where it ends, or its pivot.
+    /// Whether the rod has a node at the point: one of its ends, or its pivot.
     pub(crate) fn has_node(&self, point: &str) -> bool {
         self.from == point || self.to == point || self.pivot.as_deref() == Some(point)
     }

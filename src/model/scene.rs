@@ -1,4 +1,4 @@
-//! The scene as plain data: what is simulated, for how long, by which method, and what is recorded.
+//! The scene as plain data: structure, loads, duration, method and output.
 
 use std::collections::BTreeMap;
 
@@ -14,64 +14,90 @@ use super::rod::{Material, Rod, Section};
 use super::supports::Support;
 use super::time::{Output, Time};
 
-/// One scene: the whole content of a scene file.
+/// The whole content of a scene file, as plain data.
+///
+/// Start from [`Scene::new`], chain the builder methods, and end with [`build`](Scene::build):
+///
+/// ```
+/// use ancf::model::{Force, Material, Rod, Scene, Section, Support};
+///
+/// let model = Scene::new(Material::new(7e10, 0.0, 2750.0), Section::new(0.02, 0.02))
+///     .point("a", [0.0, 0.0])
+///     .point("b", [2.0, 0.0])
+///     .rod(Rod::new("ab", "a", "b"))
+///     .support(Support::pinned("a").clamping("ab"))
+///     .force(Force::new("b", [0.0, -10.0]))
+///     .until(0.1)
+///     .build()?;
+/// assert_eq!(model.scene().steps(), 100);
+/// # Ok::<(), ancf::error::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// Version of the file format.
     pub schema: Schema,
-    /// What the scene is, in the user's words.
+    /// Title, in the user's words.
     #[serde(default)]
     pub title: String,
-    /// What a reader of the file should know: its sources and assumptions.
+    /// Notes for a reader of the file: sources and assumptions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
-    /// Material of all rods that have none of their own.
+    /// Material of the rods without one of their own.
     #[serde(deserialize_with = "shape::object")]
     pub material: Material,
-    /// Cross-section of all rods that have none of their own.
+    /// Cross-section of the rods without one of their own.
     #[serde(deserialize_with = "shape::object")]
     pub section: Section,
-    /// Name → initial position [x, y], m.
+    /// Initial positions [x, y] of the points by name, m.
     #[serde(deserialize_with = "shape::points")]
     pub points: BTreeMap<String, [f64; 2]>,
-    /// The rods; those that name the same point, or the same pivot, are pinned there.
+    /// Rods; those that name the same point, or the same pivot, are pinned together there.
     #[serde(deserialize_with = "shape::objects")]
     pub rods: Vec<Rod>,
-    /// Points held in place. Several may hold one point, each of them in another way.
+    /// Supports. One point may have several, each holding another direction.
     #[serde(default, deserialize_with = "shape::objects")]
     pub supports: Vec<Support>,
-    /// Forces at points.
+    /// Point forces.
     #[serde(default, deserialize_with = "shape::objects", skip_serializing_if = "Vec::is_empty")]
     pub forces: Vec<Force>,
     /// Acceleration of gravity [g_x, g_y], m/s².
     #[serde(default)]
     pub gravity: [f64; 2],
-    /// Change of temperature of all rods that have none of their own; `None`: they are not heated.
+    /// Temperature change of the rods without one of their own; `None`: no heat.
     #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
     pub temperature: Option<Temperature>,
-    /// How everything moves at t = 0; `None`: at rest.
+    /// Initial rigid motion; `None`: at rest.
     #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
     pub motion: Option<Motion>,
-    /// How pins and supports are kept.
+    /// How pins and supports are enforced.
     #[serde(default)]
     pub constraints: Constraints,
-    /// Which form of the paper's element all rods have.
+    /// Form of the paper's element, for all rods.
     #[serde(default, skip_serializing_if = "is_default")]
     pub form: Form,
-    /// How long, in which steps, by which method.
+    /// Duration, step and method.
     #[serde(deserialize_with = "shape::object")]
     pub time: Time,
-    /// Which rows and columns are recorded.
+    /// Output rows and energy columns.
     #[serde(default, deserialize_with = "shape::object")]
     pub output: Output,
-    /// Quantities recorded at points and along rods.
+    /// Probes: quantities recorded at points and along rods.
     #[serde(default, deserialize_with = "shape::objects")]
     pub probes: Vec<Probe>,
 }
 
 impl Scene {
-    /// A scene without points and rods, everything else at its default: at rest, neither heated nor loaded, for 1 s.
+    /// Starts a scene without points and rods: at rest, neither heated nor loaded, for 1 s.
+    ///
+    /// ```
+    /// use ancf::model::{Material, Scene, Section};
+    ///
+    /// let scene = Scene::new(Material::new(7e10, 0.3, 2750.0), Section::new(0.02, 0.01));
+    /// assert_eq!((scene.time.step, scene.steps()), (1e-3, 1000));
+    /// assert!(scene.rods.is_empty());
+    /// ```
     pub fn new(material: Material, section: Section) -> Scene {
         Scene {
             schema: Schema::V1,
@@ -94,7 +120,7 @@ impl Scene {
         }
     }
 
-    /// Adds a point at [x, y], m.
+    /// Adds a point at the initial position [x, y], m.
     #[must_use]
     pub fn point(mut self, name: &str, position: [f64; 2]) -> Scene {
         self.points.insert(name.into(), position);
@@ -115,7 +141,7 @@ impl Scene {
         self
     }
 
-    /// Adds a force.
+    /// Adds a point force.
     #[must_use]
     pub fn force(mut self, force: Force) -> Scene {
         self.forces.push(force);
@@ -129,35 +155,42 @@ impl Scene {
         self
     }
 
-    /// Sets the gravity [g_x, g_y], m/s².
+    /// Sets the acceleration of gravity [g_x, g_y], m/s².
     #[must_use]
     pub fn gravity(mut self, gravity: [f64; 2]) -> Scene {
         self.gravity = gravity;
         self
     }
 
-    /// Sets the temperature of all rods that have none of their own.
+    /// Sets the temperature change of the rods without one of their own.
     #[must_use]
     pub fn temperature(mut self, temperature: Temperature) -> Scene {
         self.temperature = Some(temperature);
         self
     }
 
-    /// Sets the end, s.
+    /// Sets the end time, s.
     #[must_use]
     pub fn until(mut self, end: f64) -> Scene {
         self.time.end = end;
         self
     }
 
-    /// Sets the method and its step (s); adaptive methods take it as their longest one.
+    /// Sets the method and its step, s (adaptive methods: the longest step).
+    ///
+    /// ```
+    /// use ancf::model::{Method, Scene};
+    ///
+    /// let scene = Scene::builtin("pendulum-flexible").unwrap().method(Method::Explicit, 2e-5);
+    /// assert_eq!(scene.steps(), 100_000);
+    /// ```
     #[must_use]
     pub fn method(mut self, method: Method, step: f64) -> Scene {
         (self.time.method, self.time.step) = (method, step);
         self
     }
 
-    /// Number of time steps from 0 to `time.end`, or of load steps; of output rows where a method chooses its own steps.
+    /// Number of steps: time steps up to `time.end`, or load steps of statics; output rows of adaptive methods.
     pub fn steps(&self) -> usize {
         match self.time.method {
             Method::Static => self.time.load_steps,
@@ -165,13 +198,13 @@ impl Scene {
         }
     }
 
-    /// From one of the times that a method has to reach to the next, s: a step, or an output interval where it chooses its own.
+    /// Interval between times that the method has to reach, s: its step, or the output interval of adaptive methods.
     fn stride(&self) -> f64 {
         let own = self.output.interval.filter(|_| self.time.method.is_adaptive());
         own.unwrap_or(self.time.step)
     }
 
-    /// Time after `step` of these, s; the load factor in statics. Not a sum of steps, whose rounding would grow.
+    /// Time after `step` steps, s; load factor in statics. A product, not a sum of steps, whose rounding would grow.
     pub fn time_after(&self, step: usize) -> f64 {
         match self.time.method {
             Method::Static => step as f64 / self.time.load_steps as f64,
@@ -179,7 +212,7 @@ impl Scene {
         }
     }
 
-    /// Number of steps from one output row to the next, at least 1; every load step is a row.
+    /// Number of steps from one output row to the next, at least 1; in statics every load step is a row.
     pub fn rows_every(&self) -> usize {
         if self.time.method == Method::Static {
             return 1;
@@ -187,35 +220,36 @@ impl Scene {
         self.output.interval.map_or(1, |interval| (interval / self.stride()).round().max(1.0) as usize)
     }
 
-    /// Whether the state after `step` steps is an output row: the first, each `rows_every`-th, and the last.
+    /// Whether the state after `step` steps is an output row: the first, each [`rows_every`](Scene::rows_every)-th, and
+    /// the last.
     pub fn is_row(&self, step: usize) -> bool {
         step.is_multiple_of(self.rows_every()) || step == self.steps()
     }
 
-    /// A rod's material.
+    /// Material of a rod: its own, or the scene's.
     pub fn material<'a>(&'a self, rod: &'a Rod) -> &'a Material {
         rod.material.as_ref().unwrap_or(&self.material)
     }
 
-    /// A rod's cross-section.
+    /// Cross-section of a rod: its own, or the scene's.
     pub fn section<'a>(&'a self, rod: &'a Rod) -> &'a Section {
         rod.section.as_ref().unwrap_or(&self.section)
     }
 
-    /// A rod's temperature change, if it strains it: `None` with the model "none" as well.
+    /// Temperature change that strains a rod: its own, or the scene's. `None` without one, or with the model "none".
     pub fn heat<'a>(&'a self, rod: &'a Rod) -> Option<&'a Temperature> {
         let temperature = rod.temperature.as_ref().or(self.temperature.as_ref());
         temperature.filter(|temperature| temperature.model != ThermalModel::None)
     }
 
-    /// Initial position of a point: one of `points`, or a rod's pivot. `None` if there is no such point.
+    /// Initial position of a point or a pivot, m; `None` if there is none of this name.
     pub fn position(&self, point: &str) -> Option<[f64; 2]> {
         let pivot =
             || self.rods.iter().find(|rod| rod.pivot.as_deref() == Some(point)).and_then(|rod| self.middle(rod));
         self.points.get(point).copied().or_else(pivot)
     }
 
-    /// How far its points reach, m: the diagonal of the rectangle around them.
+    /// Size of the structure, m: diagonal of the rectangle around its points.
     pub(crate) fn size(&self) -> f64 {
         let reach = |axis: usize| {
             let places = || self.points.values().map(move |point| point[axis]);
@@ -224,7 +258,7 @@ impl Scene {
         reach(0).hypot(reach(1))
     }
 
-    /// A rod's length, m; 0 if one of its ends is no point.
+    /// Length of a rod, m; 0 if one of its ends is not a point.
     pub(crate) fn length(&self, rod: &Rod) -> f64 {
         match (self.points.get(&rod.from), self.points.get(&rod.to)) {
             (Some([x_0, y_0]), Some([x_1, y_1])) => (x_1 - x_0).hypot(y_1 - y_0),
@@ -232,18 +266,19 @@ impl Scene {
         }
     }
 
-    /// Initial position of a rod's middle.
+    /// Initial position of a rod's middle, m.
     pub(crate) fn middle(&self, rod: &Rod) -> Option<[f64; 2]> {
         let ([x_0, y_0], [x_1, y_1]) = (self.points.get(&rod.from)?, self.points.get(&rod.to)?);
         Some([x_0 + 0.5 * (x_1 - x_0), y_0 + 0.5 * (y_1 - y_0)])
     }
 
-    /// Whether energies are recorded: not in statics, where loads that grow slowly put in what is stored.
+    /// Whether energies are recorded. Not in statics, where slowly growing loads supply exactly the stored energy.
     pub(crate) fn has_energies(&self) -> bool {
         self.output.energy && self.time.method != Method::Static
     }
 
-    /// Names of the columns of `trajectory.csv`: `t`, two for each probed quantity (one for a deflection), then the energies if asked for.
+    /// Column names of `trajectory.csv`: `t`, two for each probed quantity (one for a deflection), then the energies if
+    /// requested.
     pub fn columns(&self) -> Vec<String> {
         let probed = self.probes.iter().flat_map(|probe| {
             let columns = probe.of.iter().flat_map(|quantity| quantity.suffixes().iter().copied());

@@ -1,4 +1,4 @@
-//! Deployable structures of Section 4: any number of scissor-like elements in a row.
+//! Deployable structures of Section 4: a row of scissor-like elements, of any number.
 
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -16,41 +16,41 @@ use super::supports::Support;
 use super::time::{Output, Time};
 use crate::error::Result;
 
-/// Length of a rod, m (Table 2).
+/// Length of a rod (Table 2), m.
 const LENGTH: f64 = 2.0;
 
-/// Rods whose deflection is recorded: b1a2, b2a3, b3a4.
+/// Most rods whose deflection is recorded: b1a2, b2a3, b3a4.
 const MOST_DEFLECTIONS: usize = 3;
 
-/// Temperature over time, s and K (Figure 6): one slope of 600 K/s fits the extremes and the inflection points.
+/// Temperature history, s and K (Figure 6): a single slope of 600 K/s fits the extremes and the inflection points.
 const TEMPERATURE: [[f64; 2]; 6] =
     [[0.0, 0.0], [0.25, 150.0], [1.25, 150.0], [1.75, -150.0], [2.75, -150.0], [3.0, 0.0]];
 
-/// A row of scissor-like elements with the rods of Table 2, and what the text of the paper leaves open.
+/// Row of scissor-like elements with the rods of Table 2, and assumptions for what the paper's text leaves open.
 ///
-/// The points a1 … a(n+1) are above b1 … b(n+1); the rods a(k)–b(k+1) and b(k)–a(k+1) are pinned at their middles m(k).
-/// b1 is fixed, a1 slides on a vertical, and a force at a1 pushes it down, which drives the structure out along x.
+/// The points a1 … a(n+1) lie above b1 … b(n+1). The rods a(k)–b(k+1) and b(k)–a(k+1) are pinned at their middles m(k).
+/// b1 is fixed, a1 slides on a vertical, and a force pushes a1 down, which deploys the structure along x.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scissors {
     /// Number of scissor-like elements, at least 1.
     pub count: usize,
-    /// Angle between the rods and the x axis at the start, degrees; between 0 and 90.
+    /// Initial angle between the rods and the x axis, degrees; between 0 and 90.
     pub angle: f64,
-    /// Force at a1 towards b1, N.
+    /// Force on a1 towards b1, N.
     pub force: f64,
-    /// Number of elements of a rod.
+    /// Number of elements per rod.
     pub elements: usize,
-    /// Which strains the changing temperature causes.
+    /// Strains caused by the changing temperature.
     pub model: ThermalModel,
 }
 
 impl Scissors {
-    /// The paper's structure without heat, of `count` scissor-like elements in place of three.
+    /// The paper's structure without heat, with `count` scissor-like elements instead of three.
     pub fn new(count: usize) -> Scissors {
         Scissors { count, angle: 80.0, force: 50.0, elements: 8, model: ThermalModel::None }
     }
 
-    /// The structure that a scene's name means: `scissors-<n>`, or `scissors-<n>-thermal` with heat (2D).
+    /// Structure of a scene name: `scissors-<n>`, or `scissors-<n>-thermal` with heat (2D).
     pub fn named(name: &str) -> Option<Scissors> {
         let count = name.strip_prefix("scissors-")?;
         let (count, model) = match count.strip_suffix("-thermal") {
@@ -58,15 +58,15 @@ impl Scissors {
             None => (count, ThermalModel::None),
         };
         let digits = count.bytes().all(|c| c.is_ascii_digit()) && (count == "0" || !count.starts_with('0'));
-        // A number that is too large for the type is too large for a scene as well, which says so.
+        // A number that overflows is also too large for a scene, which reports it.
         let count = if digits && !count.is_empty() { count.parse().unwrap_or(usize::MAX) } else { return None };
         Some(Scissors { model, ..Scissors::new(count) })
     }
 
-    /// Its scene.
+    /// Scene of the structure.
     ///
     /// # Errors
-    /// [`Error::Scene`](crate::error::Error::Scene) for numbers that are not allowed.
+    /// [`Error::Scene`](crate::error::Error::Scene) for a value that is not allowed.
     pub fn scene(&self) -> Result<Scene> {
         self.check()?;
         let (n, (sin, cos)) = (self.count, self.angle.to_radians().sin_cos());
@@ -110,7 +110,7 @@ impl Scissors {
         refuse(force.is_finite(), "force", &format!("{force:?}"), &"a finite number, N")
     }
 
-    /// The name of its scene.
+    /// Name of its scene.
     fn name(&self) -> String {
         let heat = if self.model == ThermalModel::None { "" } else { "-thermal" };
         format!("scissors-{}{heat}", self.count)
@@ -140,7 +140,7 @@ impl Scissors {
         (self.model != ThermalModel::None).then_some(heat)
     }
 
-    /// The outermost upper point, and the deflections of the rods that begin at b1, b2 and b3.
+    /// Probes of the outermost upper point, and deflections of the rods that begin at b1, b2 and b3.
     fn probes(&self) -> Vec<Probe> {
         let end = format!("a{}", self.count + 1);
         let of = vec![Quantity::Position, Quantity::Velocity, Quantity::Acceleration];
@@ -166,7 +166,7 @@ impl Scissors {
         )
     }
 
-    /// What the text of the paper does not say.
+    /// Assumptions where the paper's text is silent.
     fn notes(&self) -> Vec<String> {
         let Scissors { angle, force, .. } = self;
         let mut notes = vec![

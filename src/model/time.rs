@@ -1,41 +1,49 @@
-//! Time: how long, in which steps, by which method; and which rows are recorded.
+//! Duration, steps and method; output rows.
 
 use serde::{Deserialize, Serialize};
 
 use super::choice::Method;
 use super::json::shape;
 
-/// How long, in which steps, by which method.
+/// Duration, step and method of a simulation.
+///
+/// ```
+/// use ancf::model::{Method, Time};
+///
+/// let time = Time { method: Method::GaussAdaptive, tolerance: 1e-5, ..Time::until(3.0) };
+/// assert_eq!((time.end, time.step, time.newton_tolerance), (3.0, 1e-3, 1e-10));
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Time {
-    /// End of the simulation, s; a whole number of steps. The load factor 1 in statics, where a file may leave it out.
+    /// End time, s; a whole number of steps. In statics the load factor 1, which a file may leave out.
     #[serde(default = "default_end")]
     pub end: f64,
-    /// Step, s; the longest one of adaptive methods.
+    /// Step, s; the longest step of adaptive methods.
     #[serde(default = "default_step")]
     pub step: f64,
     /// Time-stepping method.
     #[serde(default)]
     pub method: Method,
-    /// Spectral radius ρ∞ of generalized-α at infinite frequency, 0 … 1; other methods do without.
+    /// Spectral radius ρ∞ of generalized-α at infinite frequency, 0 … 1; no effect on other methods.
     #[serde(default = "default_rho_inf")]
     pub rho_inf: f64,
-    /// Where Newton's iteration ends: residual relative to the largest force term; or, where that is out of reach, at eight
-    /// times the rounding error of the elastic forces.
+    /// Tolerance of Newton's iteration: residual relative to the largest force term. Where rounding prevents that, the
+    /// iteration ends at eight times the rounding error of the elastic forces.
     #[serde(default = "default_newton_tolerance")]
     pub newton_tolerance: f64,
-    /// Adaptive methods: largest estimated error of a step, m, of positions and of slopes times the length over which they act;
-    /// other methods do without.
+    /// Adaptive methods: largest estimated error of a step, m, in positions and in slopes times the length over which
+    /// they act. No effect on other methods.
     #[serde(default = "default_tolerance")]
     pub tolerance: f64,
-    /// Statics: equal parts in which loads and heat are applied; other methods do without.
+    /// Statics: number of equal load steps for loads and heat. No effect on other methods.
     #[serde(default = "default_load_steps")]
     pub load_steps: usize,
 }
 
 impl Time {
-    /// Time up to `end` (s), everything else at its default.
+    /// Duration up to `end` (s), everything else at its default.
     pub fn until(end: f64) -> Time {
         Time {
             end,
@@ -73,14 +81,15 @@ fn default_newton_tolerance() -> f64 {
     1e-10
 }
 
-/// Which rows and columns are recorded.
+/// Output rows and energy columns.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Output {
-    /// Time between two rows, s, a whole number of steps; `None`: a row each step.
+    /// Interval between rows, s, a whole number of steps; `None`: one row each step.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub interval: Option<f64>,
-    /// Whether the energy columns are computed.
+    /// Whether energies are computed and recorded.
     #[serde(default = "default_energy")]
     pub energy: bool,
 }

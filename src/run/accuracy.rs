@@ -1,31 +1,32 @@
-//! What is known of a run's errors.
+//! Estimated errors of a run.
 
 use serde::Serialize;
 
-/// An estimated error.
+/// Estimated error, with how it was found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Estimate {
-    /// Largest over all instants that are compared, m.
+    /// Largest error over all compared instants, m.
     pub value: f64,
-    /// "m".
+    /// Unit of the error: "m".
     pub unit: &'static str,
-    /// How it was found.
+    /// How the error was estimated.
     pub method: String,
 }
 
-/// What is known of a run's errors.
+/// Estimated errors of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Accuracy {
-    /// The step's part; `None` where nobody asked.
+    /// Error due to the step; `None` if not estimated.
     pub time: Option<Estimate>,
-    /// The mesh's part.
+    /// Error due to the mesh; `None` if not estimated.
     pub space: Option<Estimate>,
-    /// Both together as they are at the rows alone, m: what is comparable with errors that are known there only.
+    /// Sum of both errors at the output rows alone, m: comparable with errors known only there.
     pub at_rows: Option<f64>,
 }
 
 impl Accuracy {
-    /// Both parts together, m; `None` where one is not known.
+    /// Sum of both errors, m; `None` if one is unknown.
     pub fn total(&self) -> Option<f64> {
         Some(self.time.as_ref()?.value + self.space.as_ref()?.value)
     }

@@ -1,4 +1,4 @@
-//! The energies of a run: what was there at the start, what has been put in since, and whether both balance.
+//! Energy balance of a run: initial energy, energy supplied since, and present energies.
 
 use nalgebra::DVector;
 
@@ -8,26 +8,27 @@ use crate::integrators::State;
 use crate::model::{Method, Scene};
 use crate::structure::{StepEnds, Structure};
 
-/// Imbalance that is warned of, of what the energies change by. In every built-in scene by every method it is below a third of this, but
-/// where heat comes suddenly and the method damps the wave: then positions are off by a centimetre (4 elements) or by nothing (16).
+/// Imbalance that causes a warning, relative to the changes of the energies. In every built-in scene with every method
+/// it is below a third of this, except where heat comes suddenly and the method damps the wave. Then positions are off
+/// by a centimetre (4 elements) or by nothing (16).
 const WARNED: f64 = 0.01;
 
-/// J.
+/// Energy balance of a run, J.
 pub struct Energy {
-    /// Of the start.
+    /// Initial energy.
     start: f64,
-    /// The kinetic part of it.
+    /// Initial kinetic energy.
     kinetic: f64,
     input: f64,
-    /// The most that forces, heat and the fall of weights have put in so far.
+    /// Largest energy that forces, heat and falling weights have supplied so far.
     supply: f64,
-    /// Whether forces or heat put energy in.
+    /// Whether forces or heat supply energy.
     pub works: bool,
-    /// Least and most that the rows have of kinetic energy, from zero on, of strain energy and of potential energy.
+    /// Least and greatest kinetic (from zero on), strain and potential energy of the rows.
     ranges: [[f64; 2]; 3],
-    /// The balance of the row where it is largest.
+    /// Largest imbalance of all rows.
     imbalance: f64,
-    /// What is computed with.
+    /// Buffers.
     thermal: [Vec<ThermalStrain>; 2],
     vector: DVector<f64>,
 }
@@ -35,7 +36,7 @@ pub struct Energy {
 impl Energy {
     pub fn new(scene: &Scene, structure: &Structure, state: &State) -> Energy {
         let thermal = structure.thermal_strains(0.0);
-        // Before a sudden start there is no strain energy; the heat that then appears puts in what is there at t = 0.
+        // Before a sudden start there is no strain energy; the heat that then appears supplies that of t = 0.
         let input = structure.strain_energy(&state.u, &thermal);
         let mut vector = DVector::zeros(structure.size());
         let kinetic = structure.kinetic_energy(&state.v, &mut vector);
@@ -48,12 +49,12 @@ impl Energy {
         Energy { start, kinetic, input, supply: 0.0, works, ranges, imbalance: 0.0, thermal, vector }
     }
 
-    /// Adds work that is known.
+    /// Adds work known from the method.
     pub fn put_in(&mut self, work: f64) {
         self.input += work;
     }
 
-    /// Adds the work of forces and of heating over a step from what is known at its ends: of second order, and exact for the
+    /// Adds the work of forces and heat over a step from the states at its ends: second order, and exact for the
     /// energy–momentum rule.
     pub fn work(&mut self, structure: &Structure, before: &State, after: &State) {
         let [thermal_0, thermal_1] = &mut self.thermal;
@@ -70,7 +71,7 @@ impl Energy {
         self.input += force.dot(&after.u) - force.dot(&before.u);
     }
 
-    /// Kinetic, strain and potential energy, input and balance.
+    /// Kinetic, strain and potential energy, input and balance of a row.
     pub fn row(&mut self, structure: &Structure, state: &State) -> [f64; 5] {
         let kinetic = structure.kinetic_energy(&state.v, &mut self.vector);
         let [thermal, _] = &mut self.thermal;
@@ -80,11 +81,11 @@ impl Energy {
         [kinetic, strain, potential, self.input, kinetic + strain + potential - self.start - self.input]
     }
 
-    /// Takes note of a row, and refuses a state with twice the energy that was put in: no method may create any, and one whose step is
-    /// far too long for a sudden load does.
+    /// Records a row, and refuses a state with twice the energy supplied. No method may create energy; a step far too
+    /// long for a sudden load does.
     ///
     /// # Errors
-    /// [`Error::EnergyAppeared`].
+    /// [`Error::EnergyAppeared`] with the excess and advice.
     pub fn check(&mut self, row: [f64; 5], structure: &Structure, state: &State, method: Method) -> Result<()> {
         let [kinetic, strain, potential, input, created] = row;
         for ([least, most], energy) in self.ranges.iter_mut().zip([kinetic, strain, potential]) {
@@ -101,7 +102,7 @@ impl Energy {
         Ok(())
     }
 
-    /// Energies that miss their balance by more than a hundredth of what they change by, and more than rounding.
+    /// Warning about an imbalance above a hundredth of the energies' changes and above rounding.
     pub fn warning(&self, structure: &Structure, method: Method) -> Option<String> {
         let changes: f64 = self.ranges.iter().map(|[least, most]| most - least).sum();
         let missed = self.imbalance.abs();
@@ -123,7 +124,7 @@ impl Energy {
     }
 }
 
-/// What helps where a method's steps are too long for what comes suddenly.
+/// Advice for steps that are too long for a sudden load.
 fn cure(method: Method) -> String {
     let shorter = if method.is_adaptive() { "time.tolerance" } else { "time.step" };
     let others = match method {

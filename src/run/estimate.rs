@@ -1,23 +1,26 @@
-//! How far a run may be from the solution of its equations: in time and in space.
+//! Error estimate of a run, in time and in space (Richardson, without assuming an order).
 //!
-//! The run is made again with half the step (adaptive: of the longest, and a tenth of the tolerance; in statics twice the load steps)
-//! and a tenth of Newton's tolerance, and with twice the elements. What that changes of the positions is most of the error where it
-//! falls fast, and half of it where it only halves: an estimate is twice the change. Positions are those of all points, and
-//! deflections those of the probes and of rods between held points, whether a probe asks for them or not. Velocities, accelerations,
-//! reactions and energies are not estimated: after a shock they may not converge at all. Neither a kept energy nor the sum of an
-//! adaptive method's local errors says as much: the first knows nothing of places, and the second nothing of how errors grow or
-//! cancel on their way.
+//! The run is repeated with half the step and a tenth of Newton's tolerance, and with twice the elements. For adaptive
+//! methods the longest step is halved and the tolerance divided by ten; in statics the load steps are doubled. The
+//! change of the positions is most of the error where the error falls fast, and half of it where it only halves: the
+//! estimate is twice the change.
 //!
-//! **When.** Methods of fixed steps are compared after each step, or in long runs after every few, and at the rows: a vibration
-//! that they damp is gone from both runs alike before a late row. The error is the largest of all these instants. Methods that
-//! choose their steps are compared at the rows, and statics at its load steps.
+//! Compared are the positions of all points, and deflections of probes and of rods between held points, whether a probe
+//! asks for them or not. Velocities, accelerations, reactions and energies are not estimated: after a shock they may
+//! not converge at all. Neither a conserved energy nor the sum of an adaptive method's local errors says as much. The
+//! first knows nothing of positions, the second nothing of how errors grow or cancel.
 //!
-//! What both runs miss changes nothing. Where a history comes and goes within a step (`unresolved_loads`) the finer steps are as many in one
-//! as it takes to see it, sixteen at most, and without them there is no estimate.
+//! **Instants.** Methods with fixed steps are compared after each step (in long runs after every few) and at the rows,
+//! since a damped vibration is gone from both runs before a late row. The error is the largest over all these instants.
+//! Adaptive methods are compared at the rows, statics at its load steps.
 //!
-//! **No sure digit.** Each place is judged beside its own motion: the way from its start, or from where it would have gone straight
-//! on with the centre of what it hangs together with, whichever is shorter, so that neither a far journey nor another part's swing
-//! hides it. A place that moves by less than a millionth of the structure's size is judged beside the one that moves farthest.
+//! What both runs miss does not show. Where a history comes and goes within a step (`unresolved_loads`), the step is
+//! divided into as many finer ones as are needed to resolve it, sixteen at most; otherwise there is no estimate.
+//!
+//! **No reliable digit.** Each error is compared with the motion of its own point: from its start, or relative to the
+//! rigid drift of its connected part, whichever is shorter. So neither a long journey nor the swing of another part
+//! hides it. A point that moves by less than a millionth of the structure's size is compared with the one that moves
+//! farthest.
 
 use super::accuracy::{Accuracy, Estimate};
 use super::observer::{Observations, Observer, SAFETY};
@@ -27,23 +30,34 @@ use super::unresolved_loads::unresolved_load;
 use crate::error::{Error, Result};
 use crate::model::{Method, Model, Scene};
 
-/// Newton's tolerance below which rounding ends the iteration.
+/// Newton tolerance below which rounding ends the iteration.
 const LEAST_TOLERANCE: f64 = 1e-12;
 
-/// How often the longest step of an adaptive method may be halved until it makes more steps.
+/// Most halvings of an adaptive method's longest step until it makes more steps.
 const HALVINGS: usize = 6;
 
-/// Steps of a finer run over those of the run: a tenth of the tolerance makes 1.8 times as many.
+/// Required ratio of steps, finer run to run: a tenth of the tolerance makes 1.8 times as many.
 const MORE: f64 = 1.5;
 
-/// Most steps in one of the run's for what comes and goes within it.
+/// Most finer steps per step, for loads that come and go within it.
 const MOST_PARTS: usize = 16;
 
-/// Runs a model and estimates its errors; `on_step` hears of the steps of the run itself.
+/// Runs a model and estimates its errors; `on_step` is called with the number of steps done of the run itself.
+///
+/// ```
+/// use ancf::{model::Scene, run::run_estimated};
+///
+/// let mut scene = Scene::builtin("pendulum-flexible").unwrap().until(0.1);
+/// scene.rods[0].elements = 1;
+/// let accuracy = run_estimated(&scene, |_| ())?.accuracy;
+/// let (time, space) = (accuracy.time.unwrap(), accuracy.space.unwrap());
+/// assert!(time.value < 1e-4 && space.value < 1e-2, "{} {}", time.value, space.value);
+/// # Ok::<(), ancf::error::Error>(())
+/// ```
 ///
 /// # Errors
-/// Those of [`run`](super::run); [`Error::NoEstimate`] where a finer run fails, [`Error::Inaccurate`] where both parts together are
-/// more than a tenth of the motion of their place, and [`Error::Unstable`] for an equilibrium that is.
+/// Those of [`run`](super::run()); [`Error::NoEstimate`] where a finer run fails, [`Error::Inaccurate`] where the sum
+/// of both errors exceeds a tenth of the motion, and [`Error::Unstable`] for an unstable equilibrium.
 pub fn run_estimated<M>(model: M, on_step: impl FnMut(usize)) -> Result<Run>
 where
     M: TryInto<Model>,
@@ -56,7 +70,7 @@ where
     let (finer, in_time, seen_in_time, how) = finer_in_time(&observer, &own)?;
     let time = observer.changes(&seen, &seen_in_time, |_| true);
 
-    // Explicit steps have to be shorter on a finer mesh, and are compared with as short ones.
+    // Explicit steps must be shorter on a finer mesh, so that the comparison uses equally short ones.
     let explicit = scene.time.method.is_explicit();
     let (base, seen_of_base) = if explicit { (&finer, &seen_in_time) } else { (scene, &seen) };
     let mut mesh = base.clone();
@@ -91,7 +105,7 @@ fn no_estimate(what: &str, error: Error) -> Error {
     Error::NoEstimate { what: what.into(), reason: error.to_string() }
 }
 
-/// The scene with its steps made finer, its run and what is seen of it, and in words how.
+/// Scene with finer steps, its run and observations, and the refinement in words.
 fn finer_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observations, String)> {
     let scene = observer.scene;
     let mut finer = scene.clone();
@@ -103,7 +117,7 @@ fn finer_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observat
         method if method.is_adaptive() => {
             divide(&mut finer, 2);
             finer.time.tolerance /= 10.0;
-            // Where the tolerance asks for less than the longest step it is the step that decides.
+            // Where the tolerance asks for less than the longest step, the step decides.
             "a tenth of the tolerance and half the longest step".into()
         }
         _ => {
@@ -124,7 +138,7 @@ fn finer_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observat
     Ok((finer, run_of_it, seen, how))
 }
 
-/// Runs the scene with a tenth of Newton's tolerance; with its own where rounding leaves no less.
+/// Runs the scene with a tenth of Newton's tolerance; with the tolerance itself where rounding prevents less.
 fn with_finer_newton(observer: &Observer, finer: &mut Scene, how: String) -> Result<(Run, Observations, String)> {
     let tolerance = finer.time.newton_tolerance;
     // Steps of any length end their iteration alike.
@@ -141,7 +155,7 @@ fn with_finer_newton(observer: &Observer, finer: &mut Scene, how: String) -> Res
     Ok((run, seen, how))
 }
 
-/// In how many parts a step has to be divided until no history comes and goes within one.
+/// Number of parts into which a step must be divided until no history comes and goes within one.
 fn parts(scene: &Scene) -> Result<usize> {
     let step = scene.time.step;
     let sees_all = |parts: &usize| unresolved_load(scene, step / *parts as f64).is_none();
@@ -157,13 +171,13 @@ fn parts(scene: &Scene) -> Result<usize> {
     })
 }
 
-/// Divides the step and leaves the rows.
+/// Divides the step, keeping the output rows.
 fn divide(scene: &mut Scene, parts: usize) {
     scene.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
     scene.time.step /= parts as f64;
 }
 
-/// A simulation of the scene, with a step that its explicit method takes.
+/// Simulation of the scene, with its explicit step divided until it is stable.
 fn stable(mut scene: Scene) -> Result<Simulation> {
     match Simulation::new(&scene) {
         Err(Error::StepTooLarge { step, largest, .. }) => {

@@ -1,30 +1,31 @@
-//! What moves a structure: the loads beside which rounding of the elastic forces has to be small.
+//! Magnitude of the loads that move a structure: rounding of the elastic forces must be small compared with it.
 //!
-//! A load that moves nothing says nothing of the motion and does not count: a force where and along what a support holds its point,
-//! the constant heat of a relaxed start, what a history has after the end, the velocity of a translation. Heat stretches a rod by no
-//! more than its strain, whatever the rod weighs, so that it counts only where nothing else moves the structure.
+//! A load that moves nothing does not count: a force in a held direction, the constant heat of a relaxed start, a
+//! history after the end, the velocity of a translation. Heat stretches a rod by no more than its strain, whatever its
+//! weight, so that it counts only if nothing else moves the structure.
 //!
-//! So does a rotation that goes on as it began, whose load is what bends the paths, m ω² L. However slow it is, so small are
-//! the displacements that rounding is a part of, and it is not lost before rounding has moved it away: a force F moves a rod by F t²/(2m)
-//! beside the path of ω t L, which is ωt/2 of its share F/(m ω² L) of the load. The less of the two counts.
+//! The same holds for a rotation that merely continues, whose load is the centripetal force m ω² L. The slower it is,
+//! the smaller are the displacements that rounding is compared with, and the result is not lost before rounding has
+//! moved it away. A force F moves a rod by F t²/(2m) off its path of ω t L, which is ωt/2 of its fraction F/(m ω² L) of
+//! the load. The smaller of the two counts.
 
 use std::collections::BTreeMap;
 
 use crate::model::{Force, Rod, Scene, Start, times_of};
 
-/// Sizes of what moves a structure, N.
+/// Magnitudes of the loads that move a structure, N.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadScale {
-    /// All of it together; 0 where nothing does.
+    /// Sum of all loads; 0 where nothing moves the structure.
     pub all: f64,
-    /// The least of its parts: a rod's weight, the force at a point; where there is nothing else, what bends a rod's path as it turns.
+    /// Smallest load: a rod's weight, the force at a point; without others, the centripetal force of a turning rod.
     pub least: f64,
-    /// Angular velocity of a structure that only goes on turning, rad/s.
+    /// Angular velocity of a structure that merely continues to turn, rad/s.
     free_rotation: Option<f64>,
 }
 
 impl LoadScale {
-    /// Those of a scene that moves in time.
+    /// Loads of a scene that moves in time.
     pub fn of(scene: &Scene) -> LoadScale {
         let acting = LoadScale::sum(of_weight(scene).chain(of_points(scene)));
         if acting.all > 0.0 {
@@ -38,7 +39,7 @@ impl LoadScale {
         LoadScale::sum(of_heat(scene))
     }
 
-    /// What a force is of all loads, and of the least of them, at time `t`.
+    /// Fractions that a force is of all loads, and of the smallest, at time `t`.
     pub fn shares(&self, force: f64, t: f64) -> [f64; 2] {
         let grown = self.free_rotation.map_or(1.0, |omega| (0.5 * omega * t).min(1.0));
         [self.all, self.least].map(|load| grown * force / load)
@@ -65,7 +66,7 @@ fn of_weight(scene: &Scene) -> impl Iterator<Item = f64> {
     scene.rods.iter().map(move |rod| mass(scene, rod) * weight)
 }
 
-/// m ω² L of each rod, where the structure turns at first.
+/// Centripetal force m ω² L of each rod, for an initial rotation.
 fn of_rotation(scene: &Scene) -> impl Iterator<Item = f64> {
     let omega = omega(scene);
     scene.rods.iter().map(move |rod| mass(scene, rod) * omega * omega * scene.length(rod))
@@ -75,13 +76,13 @@ fn omega(scene: &Scene) -> f64 {
     scene.motion.as_ref().map_or(0.0, |motion| motion.omega)
 }
 
-/// A rod's mass, kg.
+/// Mass of a rod, kg.
 pub fn mass(scene: &Scene, rod: &Rod) -> f64 {
     let section = scene.section(rod);
     scene.material(rod).rho * section.height * section.width * scene.length(rod)
 }
 
-/// The largest force at each point from the start to the end, less what a support takes.
+/// Largest force at each point between start and end, without the part that supports take.
 fn of_points(scene: &Scene) -> impl Iterator<Item = f64> {
     let mut points: BTreeMap<&str, Vec<&Force>> = BTreeMap::new();
     for force in &scene.forces {
@@ -103,7 +104,7 @@ fn of_points(scene: &Scene) -> impl Iterator<Item = f64> {
     })
 }
 
-/// EA α ΔT of each rod, ΔT the largest change from the heat of its start.
+/// Thermal force EA α ΔT of each rod, with the largest change ΔT from the initial heat.
 fn of_heat(scene: &Scene) -> impl Iterator<Item = f64> {
     scene.rods.iter().filter_map(|rod| {
         let (heat, material, section) = (scene.heat(rod)?, scene.material(rod), scene.section(rod));

@@ -1,4 +1,4 @@
-//! What makes a result doubtful: found in the scene, in its motion or at its end.
+//! Monitors a run for results that cannot be trusted: collapse, rounding, instability.
 
 use nalgebra::DVector;
 
@@ -8,43 +8,46 @@ use crate::integrators::State;
 use crate::model::{Method, Scene};
 use crate::structure::Structure;
 
-/// How far nodes may move from one look at the elements to the next, of an element's length, and slopes turn. r_x and r_y then change by
-/// no more than an eighth anywhere ([`Structure::moved`]): an element that goes on to collapse is seen within that, and what comes back
-/// within it was hardly gone. A look at each step would make explicit runs of eight elements longer by a quarter (the paper's element) to a
-/// half (the other); these cannot be told from none.
+/// Motion between two checks for collapse: of nodes relative to the element length, and of slopes. r_x and r_y then
+/// change by at most an eighth anywhere ([`Structure::moved`]). An element that goes on to collapse is noticed within
+/// that, and one that recovers within it was hardly gone. A check in each step would make explicit runs of eight
+/// elements slower by a quarter (the paper's element) to a half (Euler–Bernoulli); these checks cost no measurable
+/// time.
 const UNSEEN: f64 = 0.01;
 
-/// Part of the loads, or of the least of them, from which rounding is warned of.
+/// Rounding error that causes a warning, relative to the sum of loads or to the smallest one.
 const WARNED: f64 = 1e-4;
 
-/// Part of the displacement from which it is: an estimate for errors of one sign, which mostly have both.
+/// Rounding error of statics that causes a warning, relative to the displacement. It is estimated for errors of one
+/// sign, which usually have both.
 const WARNED_IN_STATICS: f64 = 1e-3;
 
-/// Rounding of this part of the loads is refused: step by step it acts like one.
+/// Rounding error that is refused, relative to the loads: step by step it acts like a load.
 const LOST: f64 = 0.05;
 
-/// Rounding of this part of the displacement leaves no digit of it.
+/// Rounding error of statics that is refused, relative to the displacement: no digit is left.
 const NO_DIGIT: f64 = 0.5;
 
-/// Watches the steps of a run.
+/// Monitors the steps of a run.
 pub struct Monitor {
-    /// Displacement that was looked at last.
+    /// Displacement at the last check for collapse.
     before: DVector<f64>,
-    /// `None` in statics, which has its own.
+    /// Rounding in motion; `None` in statics, which has a check of its own.
     rounding: Option<Rounding>,
 }
 
-/// The largest shares that rounding has had so far.
+/// Largest relative rounding errors so far.
 struct Rounding {
-    /// Beside what rounding is judged.
+    /// Quantity that rounding is compared with.
     beside: Beside,
-    /// Of all loads, of the least of them; or of the structure's size.
+    /// Fractions of all loads and of the smallest one; or, twice, of the structure's size.
     shares: [f64; 2],
 }
 
 enum Beside {
     LoadScale(LoadScale),
-    /// Nothing moves the structure: it rests, or goes on as it began, and is where it is known to be. Its size, m, and memory.
+    /// Nothing moves the structure: it rests, or continues its motion, and its position is known. Its size, m, and a
+    /// buffer.
     Known {
         size: f64,
         off: DVector<f64>,
@@ -62,25 +65,25 @@ impl Monitor {
         Monitor { before: structure.start().clone(), rounding }
     }
 
-    /// Looks at the state after a step, where it has moved since the last look.
+    /// Checks the state after a step for collapse, if it has moved since the last check.
     ///
     /// # Errors
-    /// [`Error::Collapsed`].
+    /// [`Error::Collapsed`] with the element.
     pub fn step(&mut self, structure: &Structure, state: &State) -> Result<()> {
-        // What is no number has moved.
+        // What is not a number has moved.
         if structure.moved(&self.before, &state.u) <= UNSEEN { Ok(()) } else { self.look(structure, state) }
     }
 
-    /// Looks at the state of an output row.
+    /// Checks the state of an output row for collapse and rounding.
     ///
     /// # Errors
-    /// [`Error::Collapsed`], [`Error::LostInRounding`].
+    /// [`Error::Collapsed`], or [`Error::LostInRounding`].
     pub fn row(&mut self, structure: &Structure, state: &State) -> Result<()> {
         self.look(structure, state)?;
         self.rounding.as_mut().map_or(Ok(()), |rounding| rounding.row(structure, state))
     }
 
-    /// What a step failed for: rounding, where that is as large as the loads.
+    /// Error of a failed step: rounding, if that is as large as the loads.
     pub fn cause(&mut self, structure: &Structure, state: &State, error: Error) -> Error {
         let numerical = matches!(
             error,
@@ -98,10 +101,10 @@ impl Monitor {
         Ok(())
     }
 
-    /// Adds doubts about the whole run to the warnings; in how many directions the equilibrium of statics is unstable.
+    /// Adds the warnings about the whole run; returns the number of unstable directions of a static equilibrium.
     ///
     /// # Errors
-    /// [`Error::LostInRounding`].
+    /// [`Error::LostInRounding`] for statics without a reliable digit.
     pub fn end(self, structure: &Structure, state: &State, warnings: &mut Vec<String>) -> Result<usize> {
         if let Some(rounding) = self.rounding {
             warnings.extend(rounding.warning());
@@ -166,7 +169,7 @@ fn rounding_warning(share: f64, of: &str) -> String {
     )
 }
 
-/// An equilibrium that would not stay: a column above its Euler load.
+/// Warning about an equilibrium that would not stay, as a column above its Euler load.
 fn stability_warning(directions: usize) -> String {
     format!(
         "the equilibrium found is unstable, in {directions} direction(s): the structure is pressed beyond its buckling load and would \

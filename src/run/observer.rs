@@ -1,4 +1,4 @@
-//! What the runs of an estimate are compared at: which places, and when.
+//! Observations of the runs of an error estimate: quantities and instants that are compared.
 
 use std::collections::BTreeSet;
 
@@ -11,53 +11,54 @@ use crate::error::{Error, Result};
 use crate::model::{Method, Quantity, Rod, Scene};
 use crate::structure::{PointId, RodId, Structure};
 
-/// A halved step, or element, at least halves the error: what is left is as much as what has changed.
+/// Factor from the change to the error: halving a step or an element at least halves the error, so that the remainder
+/// is at most the change.
 pub(super) const SAFETY: f64 = 2.0;
 
-/// A result whose estimated error is more than this part of its motion has no digit that is sure.
+/// Largest estimated error relative to the motion: above it no digit is reliable.
 const NO_DIGIT: f64 = 0.1;
 
-/// Motion of a place, of the structure's size, that is too small to judge it by.
+/// Least motion, relative to the structure's size, that an error is compared with.
 const HARDLY: f64 = 1e-6;
 
-/// Most vectors of places in all instants of a run, which are kept in memory: 32 MB.
+/// Most observed vectors of a run, which are kept in memory: 32 MB.
 const MOST_SEEN: usize = 2_000_000;
 
-/// What is looked at in all runs of an estimate, and when.
+/// Quantities and instants to be observed in all runs of an estimate.
 pub(super) struct Observer<'a> {
-    /// That of the run itself.
+    /// Scene of the run itself.
     pub(super) scene: &'a Scene,
     places: Vec<Place>,
-    /// Steps of the run itself from one look to the next; rows are looked at, too.
+    /// Steps of the run itself between observations; rows are observed too.
     every: usize,
 }
 
-/// What is compared: a position, or a deflection.
+/// Observed quantity: a position or a deflection.
 struct Place {
     of: Of,
-    /// Velocity at the start of the centre of its part of the structure, m/s.
+    /// Initial velocity of the centre of mass of its connected part, m/s.
     velocity: [f64; 2],
 }
 
 enum Of {
     Point(String),
-    /// A rod's deflection at a part of its length.
+    /// Deflection of a rod at a fraction of its length.
     Rod(String, f64),
 }
 
-/// What was seen of a run.
+/// Observations of one run.
 #[derive(Default)]
 pub(super) struct Observations {
     /// Times of the instants, s.
     times: Vec<f64>,
-    /// Whether they are rows of the run itself.
+    /// Whether each instant is an output row of the run itself.
     rows: Vec<bool>,
-    /// All places at the first instant, at the second, …, m; a deflection has one component.
+    /// All quantities at the first instant, then at the second, …, m; a deflection has one component.
     places: Vec<[f64; 2]>,
 }
 
 impl Observations {
-    /// A place at all instants.
+    /// One quantity at all instants.
     fn of(&self, place: usize) -> impl Iterator<Item = [f64; 2]> {
         self.places.iter().copied().skip(place).step_by((self.places.len() / self.times.len().max(1)).max(1))
     }
@@ -72,10 +73,10 @@ impl Place {
     }
 }
 
-/// A place of one run's structure.
+/// Observed quantity in the structure of one run.
 enum Located {
     Point(PointId),
-    /// A rod's deflection at a part of its length.
+    /// Deflection of a rod at a fraction of its length.
     Rod(RodId, f64),
 }
 
@@ -96,7 +97,8 @@ impl Located {
 }
 
 impl Observer<'_> {
-    /// All points, deflections that probes ask for, and those of rods that are held at both ends, of which points say nothing.
+    /// Observes all points, the deflections that probes ask for, and those of rods held at both ends, which no point
+    /// shows.
     pub(super) fn of(scene: &Scene) -> Observer<'_> {
         let point =
             |name: &String| Place { of: Of::Point(name.clone()), velocity: drift(scene, name).unwrap_or_default() };
@@ -110,7 +112,7 @@ impl Observer<'_> {
             supports.map(|support| support.held().len()).sum::<usize>() > 1
         };
         let held = scene.rods.iter().filter(|rod| is_held(&rod.from) && is_held(&rod.to));
-        // A bow, and a wave with a node in the middle.
+        // A single bow, and a wave with a node in the middle.
         let bows = held.flat_map(|held| [0.5, 0.25].map(|at| rod(&held.name, at)));
         let places: Vec<Place> = points.chain(probed).chain(bows).collect();
 
@@ -122,7 +124,7 @@ impl Observer<'_> {
         self.run_with_progress(Simulation::new(scene)?, |_| ())
     }
 
-    /// A run of the scene, or of a finer one, which makes several steps in one.
+    /// Runs the scene, or a finer one with several steps per step, and observes it.
     pub(super) fn run_with_progress(&self, run: Simulation, on_step: impl FnMut(usize)) -> Result<(Run, Observations)> {
         let parts = (run.model().scene().steps() / self.scene.steps()).max(1);
         let places: Vec<Located> =
@@ -140,7 +142,7 @@ impl Observer<'_> {
         Ok((run, seen))
     }
 
-    /// When it looks, in words.
+    /// Instants of observation, in words.
     pub(super) fn when(&self) -> String {
         match (self.scene.time.method, self.every) {
             (Method::Static, 1) => "compared after each load step".into(),
@@ -150,8 +152,8 @@ impl Observer<'_> {
         }
     }
 
-    /// Estimated errors of the places: twice the largest distance of two runs, at instants that count as rows or others do; not a number
-    /// where one of them is not.
+    /// Estimated errors: twice the largest distance between two runs, over the instants that `counts` accepts (rows or
+    /// others). NaN if a distance is.
     pub(super) fn changes(&self, own: &Observations, finer: &Observations, counts: impl Fn(bool) -> bool) -> Vec<f64> {
         if own.times.len() != finer.times.len() {
             return vec![f64::NAN; self.places.len()];
@@ -164,12 +166,12 @@ impl Observer<'_> {
         (0..self.places.len()).map(change).collect()
     }
 
-    /// Refuses errors that leave no digit of a place's motion sure.
+    /// Refuses errors that leave no reliable digit of a motion.
     ///
     /// # Errors
-    /// [`Error::Inaccurate`] of the worst place.
+    /// [`Error::Inaccurate`] for the worst quantity.
     pub(super) fn judge(&self, seen: &Observations, time: &[f64], space: &[f64]) -> Result<()> {
-        // From the start, or from where it would be without loads.
+        // Distance from the start, or from the position without loads.
         let way = |place: usize, free_rotation: f64| {
             let [x_0, y_0] = seen.of(place).next().unwrap_or_default();
             let [v_x, v_y] = self.places[place].velocity.map(|velocity| free_rotation * velocity);
@@ -202,12 +204,12 @@ impl Observer<'_> {
     }
 }
 
-/// Velocity at the start of the centre of the rods that hang together with a point; `None` where nothing moves.
+/// Initial velocity of the centre of mass of the rods connected with a point; `None` without an initial motion.
 fn drift(scene: &Scene, point: &String) -> Option<[f64; 2]> {
     let motion = scene.motion.as_ref()?;
     let mut points = BTreeSet::from([point]);
     let hangs = |points: &BTreeSet<&String>, rod: &Rod| ends(rod).any(|point| points.contains(point));
-    // As many rounds as the longest chain of rods has.
+    // As many rounds as the longest chain of rods needs.
     for _ in &scene.rods {
         let more: Vec<&String> = scene.rods.iter().filter(|rod| hangs(&points, rod)).flat_map(ends).collect();
         points.extend(more);
@@ -226,7 +228,7 @@ fn ends(rod: &Rod) -> impl Iterator<Item = &String> {
     [&rod.from, &rod.to].into_iter().chain(&rod.pivot)
 }
 
-/// In the total order NaN is the largest, and is not lost.
+/// Largest value; in the total order NaN is the largest, and is not lost.
 fn largest(sizes: impl Iterator<Item = f64>) -> f64 {
     sizes.max_by(f64::total_cmp).unwrap_or(f64::NAN)
 }

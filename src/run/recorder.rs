@@ -1,4 +1,4 @@
-//! What is recorded of a run: the rows of its trajectory.
+//! Records the rows of a trajectory.
 
 use nalgebra::DVector;
 
@@ -10,21 +10,21 @@ use crate::model::plan::Plan;
 use crate::model::{Method, Probe, Quantity, Scene};
 use crate::structure::{Instant, PointId, RodId, Structure};
 
-/// Writes rows.
+/// Recorder of output rows.
 pub struct Recorder {
     columns: Vec<String>,
     readings: Vec<Reading>,
-    /// Memory for all rows, and how many are written.
+    /// Memory for all rows; below, the number of rows recorded.
     rows: Vec<Vec<f64>>,
     written: usize,
-    /// There if a probe asks for an acceleration, or for a reaction that follows from it.
+    /// Equation of motion, if a probe needs an acceleration or a reaction.
     motion: Option<EquationOfMotion>,
-    /// Accelerations and multipliers of the equation of motion; zero where nothing asks for them.
+    /// Accelerations; below, multipliers of the equation of motion. Zero where no probe needs them.
     a: DVector<f64>,
     multipliers: DVector<f64>,
-    /// There if the plan has energies.
+    /// Energy balance, if the plan has energies.
     energy: Option<Energy>,
-    /// Whether energies are columns.
+    /// Whether energies are recorded.
     has_energies: bool,
     method: Method,
 }
@@ -55,12 +55,12 @@ impl Recorder {
         })
     }
 
-    /// Whether forces or heat put energy in that has to be known.
+    /// Whether the work of forces or heat is needed.
     pub fn works(&self) -> bool {
         self.energy.as_ref().is_some_and(|energy| energy.works)
     }
 
-    /// Adds work that the method knows.
+    /// Adds work known from the method.
     pub fn put_in(&mut self, work: f64) {
         if let Some(energy) = &mut self.energy {
             energy.put_in(work);
@@ -113,7 +113,7 @@ impl Recorder {
         Ok(())
     }
 
-    /// Energies that do not balance.
+    /// Warning about energies that do not balance.
     pub fn imbalance_warning(&self, structure: &Structure) -> Option<String> {
         self.energy.as_ref()?.warning(structure, self.method)
     }
@@ -123,7 +123,7 @@ impl Recorder {
         &self.columns
     }
 
-    /// The rows written so far.
+    /// Rows recorded so far.
     pub fn rows(&self) -> &[Vec<f64>] {
         self.rows.get(..self.written).unwrap_or_default()
     }
@@ -134,14 +134,14 @@ impl Recorder {
     }
 }
 
-/// A quantity of a probe, and where it is read.
+/// Quantity of a probe, with where it is read.
 enum Reading {
     Position(PointId),
     Velocity(PointId),
     Acceleration(PointId),
     Reaction(PointId),
     ForceOnRod(PointId, RodId),
-    /// Of a rod, at a fraction of its length.
+    /// Deflection of a rod at a fraction of its length.
     Deflection(RodId, f64),
 }
 

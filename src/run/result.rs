@@ -1,20 +1,21 @@
-//! What a run gives.
+//! Result of a run.
 
 use super::accuracy::Accuracy;
 use super::trajectory::Trajectory;
 use crate::integrators::Counts;
 
-/// What a run gives.
+/// Result of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// The rows that the scene asks for.
+    /// Recorded rows.
     pub trajectory: Trajectory,
-    /// The work that was done.
+    /// Counters of the work done.
     pub counts: Counts,
-    /// What a person should know before trusting the result.
+    /// Warnings to read before trusting the result.
     pub warnings: Vec<String>,
-    /// Statics: in how many independent directions the equilibrium at the end is unstable; 0 in motion, and where that is not told.
+    /// Statics: number of independent directions in which the final equilibrium is unstable; 0 in motion, and where it
+    /// could not be determined.
     pub unstable_directions: usize,
-    /// Estimated errors; those of [`run_estimated`](super::run_estimated) only.
+    /// Estimated errors; only from [`run_estimated`](super::run_estimated).
     pub accuracy: Accuracy,
 }

@@ -1,4 +1,4 @@
-//! A model in motion, step by step.
+//! Step-by-step simulation of a model.
 
 use nalgebra::DVector;
 
@@ -13,7 +13,7 @@ use crate::model::plan::Plan;
 use crate::model::{Method, Model, Scene};
 use crate::structure::{Instant, Structure};
 
-/// A model in motion: moved on step by step, and read in between.
+/// Simulation of a model: advanced step by step, and read in between.
 ///
 /// ```
 /// use ancf::model::{Material, Rod, Scene, Section, Support};
@@ -37,35 +37,44 @@ pub struct Simulation {
     structure: Structure,
     method: Box<dyn Integrator>,
     state: State,
-    /// The state before the last step.
+    /// State before the last step.
     before: State,
-    /// Steps of [`Scene::steps`] that are done.
+    /// Number of steps done, of [`Scene::steps`].
     done: usize,
     counts: Counts,
     recorder: Recorder,
     monitor: Monitor,
-    /// For accelerations and reactions that are asked for between rows.
+    /// Equation of motion for accelerations and reactions requested between rows.
     motion: Option<EquationOfMotion>,
 }
 
 /// Energies of a structure, J.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energies {
-    /// ½ q̇ᵀ M q̇.
+    /// Kinetic energy ½ q̇ᵀ M q̇.
     pub kinetic: f64,
-    /// Elastic energy, (18).
+    /// Strain energy, (18).
     pub strain: f64,
-    /// That of the weight, zero in the initial configuration.
+    /// Potential energy of the weight, zero in the initial configuration.
     pub potential: f64,
 }
 
 impl Simulation {
-    /// A model at its start, with the method that its scene names; a [`Scene`] is checked first. The first row is recorded.
+    /// Starts a simulation with the method of the scene; a [`Scene`] is checked first. The first row is recorded.
+    ///
+    /// ```
+    /// use ancf::{model::Scene, run::Simulation};
+    ///
+    /// let pendulum = Simulation::new(Scene::builtin("pendulum-flexible").unwrap())?;
+    /// assert_eq!(pendulum.time(), 0.0);
+    /// assert_eq!(pendulum.position("a")?, [1.0, 0.0]);
+    /// # Ok::<(), ancf::error::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// [`Error::Scene`] for a scene that is not valid,
-    /// [`Error::TooLarge`] for matrices that do not fit into memory, [`Error::Drifts`] for statics of a mechanism,
-    /// [`Error::StepTooLarge`] for an explicit step over its limit, [`Error::Singular`] for a mass matrix that is.
+    /// [`Error::Scene`] for an invalid scene, [`Error::TooLarge`] for matrices above the memory limit,
+    /// [`Error::Drifts`] for statics of a mechanism, [`Error::StepTooLarge`] for an explicit step above its limit,
+    /// [`Error::Singular`] for a singular mass matrix.
     pub fn new<M>(model: M) -> Result<Simulation>
     where
         M: TryInto<Model>,
@@ -74,13 +83,13 @@ impl Simulation {
         Simulation::of(model.try_into()?)
     }
 
-    /// A model at its start, without a generic type.
+    /// Starts a simulation of a checked model.
     pub(super) fn of(model: Model) -> Result<Simulation> {
         let plan = Plan::of(model.scene());
         Simulation::planned(model, &plan)
     }
 
-    /// A model at its start, with a plan of its own: it may compute more than the scene needs.
+    /// Starts a simulation with a given plan, which may compute more than the scene needs.
     ///
     /// # Errors
     /// Those of [`new`](Simulation::new).
@@ -90,11 +99,11 @@ impl Simulation {
         })
     }
 
-    /// A model at its start, moved by an integrator of the caller's own. `make` gets the structure and its state at t = 0; steps
-    /// are those of `time.step`, and the scene's `method` says only whether it is statics.
+    /// Starts a simulation with an [`Integrator`] of your own. `make` gets the structure and its state at t = 0. Steps
+    /// are those of `time.step`; the scene's `method` only says whether it is statics. [`Integrator`] has an example.
     ///
     /// # Errors
-    /// Those of [`new`](Simulation::new), and of `make`.
+    /// Those of [`new`](Simulation::new), and those of `make`.
     pub fn with_integrator(
         model: Model,
         make: impl FnOnce(&Structure, &State) -> Result<Box<dyn Integrator>>,
@@ -120,12 +129,22 @@ impl Simulation {
         Ok(Simulation { model, structure, method, state, before, done: 0, counts, recorder, monitor, motion: None })
     }
 
-    /// Moves on by one step, and records a row where the scene asks for one. Adaptive methods move on to their next output time.
+    /// Advances by one step, and records a row if due. Adaptive methods advance to their next output time. Returns
     /// `false` at the end of the scene, where nothing moves any more.
     ///
+    /// ```
+    /// use ancf::{model::Scene, run::Simulation};
+    ///
+    /// let scene = Scene::builtin("pendulum-flexible").unwrap().until(0.01);
+    /// let mut pendulum = Simulation::new(scene)?;
+    /// while pendulum.step()? {}
+    /// assert_eq!((pendulum.steps_done(), pendulum.counts().steps), (40, 40));
+    /// # Ok::<(), ancf::error::Error>(())
+    /// ```
+    ///
     /// # Errors
-    /// Those of the method; [`Error::Collapsed`], [`Error::LostInRounding`], [`Error::EnergyAppeared`] or [`Error::NotFinite`] for
-    /// a state that cannot be trusted. Further steps are meaningless then.
+    /// Those of the method; [`Error::Collapsed`], [`Error::LostInRounding`], [`Error::EnergyAppeared`] or
+    /// [`Error::NotFinite`] for a state that cannot be trusted. Further steps are then meaningless.
     pub fn step(&mut self) -> Result<bool> {
         let scene = self.model.scene();
         if self.done == scene.steps() {
@@ -142,11 +161,22 @@ impl Simulation {
         Ok(true)
     }
 
-    /// Moves on to the time `t`, s; in statics to the load factor `t`.
+    /// Advances to the time `t`, s, or to the load factor `t` in statics.
+    ///
+    /// ```
+    /// use ancf::{error::Error, model::Scene, run::Simulation};
+    ///
+    /// let mut pendulum = Simulation::new(Scene::builtin("pendulum-flexible").unwrap())?;
+    /// pendulum.run_until(0.02)?;
+    /// assert_eq!(pendulum.time(), 0.02);
+    /// let past = pendulum.run_until(0.01);
+    /// assert!(matches!(past, Err(Error::NotATime { .. })));
+    /// # Ok::<(), ancf::error::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// [`Error::NotATime`] for a time in the past, after the end, or to which the steps of a fixed-step method do not lead: nothing
-    /// has moved then. Others as of [`step`](Simulation::step).
+    /// [`Error::NotATime`] for a time in the past, after the end, or, with a fixed step, between the ends of steps; the
+    /// state is unchanged. Others as for [`step`](Simulation::step).
     pub fn run_until(&mut self, t: f64) -> Result<()> {
         let scene = self.model.scene();
         let (now, end) = (self.state.t, scene.time_after(scene.steps()));
@@ -177,10 +207,10 @@ impl Simulation {
         Ok(())
     }
 
-    /// Moves on to the end of the scene; its rows, warnings and counts.
+    /// Advances to the end of the scene and returns its rows, counters and warnings.
     ///
     /// # Errors
-    /// Those of [`step`](Simulation::step); [`Error::LostInRounding`] where rounding is most of what statics has found.
+    /// Those of [`step`](Simulation::step); [`Error::LostInRounding`] where rounding is most of a static displacement.
     pub fn finish(mut self) -> Result<Run> {
         while self.step()? {}
         let mut warnings = warnings(self.model.scene());
@@ -190,7 +220,7 @@ impl Simulation {
         Ok(Run { trajectory, counts, warnings, unstable_directions, accuracy: Accuracy::default() })
     }
 
-    /// Steps of the method until the time `t`, each of them watched. Nothing in this loop asks for memory.
+    /// Makes steps of the method until the time `t`, and monitors each of them. This loop allocates no memory.
     fn advance(&mut self, t: f64, is_row: bool) -> Result<()> {
         let Simulation { structure, method, state, before, counts, recorder, monitor, .. } = self;
         while state.t < t {
@@ -205,7 +235,7 @@ impl Simulation {
                     None => recorder.work(structure, before, state),
                 }
             }
-            // A row is looked at when it is recorded.
+            // A row is checked when it is recorded.
             if state.t < t || !is_row {
                 monitor.step(structure, state)?;
             }
@@ -213,56 +243,66 @@ impl Simulation {
         Ok(())
     }
 
-    /// The time now, s; the load factor in statics.
+    /// Present time, s; the load factor in statics.
     pub fn time(&self) -> f64 {
         self.state.t
     }
 
-    /// The model.
+    /// Simulated model.
     pub fn model(&self) -> &Model {
         &self.model
     }
 
-    /// Steps of the scene that are done, of [`Scene::steps`].
+    /// Number of steps done, of [`Scene::steps`].
     pub fn steps_done(&self) -> usize {
         self.done
     }
 
-    /// The work that was done so far.
+    /// Counters of the work done so far.
     pub fn counts(&self) -> Counts {
         self.counts
     }
 
-    /// Position [x, y] of a point now, m.
+    /// Present position [x, y] of a point, m.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a name that no point has.
+    /// [`Error::Unknown`] if there is no point of this name.
     pub fn position(&self, point: &str) -> Result<[f64; 2]> {
         Ok(self.structure.position(self.structure.point(point)?, &self.state.u))
     }
 
-    /// Velocity [v_x, v_y] of a point now, m/s.
+    /// Present velocity [v_x, v_y] of a point, m/s.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a name that no point has.
+    /// [`Error::Unknown`] if there is no point of this name.
     pub fn velocity(&self, point: &str) -> Result<[f64; 2]> {
         Ok(self.structure.at_point(self.structure.point(point)?, &self.state.v))
     }
 
-    /// Acceleration [a_x, a_y] of a point now, from the equation of motion, m/s²; zero in statics.
+    /// Present acceleration [a_x, a_y] of a point from the equation of motion, m/s²; zero in statics.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a name that no point has; [`Error::Singular`] for a singular mass matrix.
+    /// [`Error::Unknown`] if there is no point of this name; [`Error::Singular`] for a singular mass matrix.
     pub fn acceleration(&mut self, point: &str) -> Result<[f64; 2]> {
         let point = self.structure.point(point)?;
         let (a, _) = self.accelerations()?;
         Ok(self.structure.at_point(point, &a))
     }
 
-    /// Force [F_x, F_y] of the supports on the structure at a point now, N; zero where nothing holds the point.
+    /// Present force [F_x, F_y] of the supports on the structure at a point, N; zero where nothing holds the point.
+    ///
+    /// ```
+    /// use ancf::{model::Scene, run::Simulation};
+    ///
+    /// let mut cantilever = Simulation::new(Scene::builtin("cantilever").unwrap())?;
+    /// cantilever.run_until(1.0)?;
+    /// let load: f64 = cantilever.model().scene().forces.iter().map(|force| force.force[1]).sum();
+    /// assert!((cantilever.reaction("o")?[1] + load).abs() < 1e-6 * load.abs());
+    /// # Ok::<(), ancf::error::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a name that no point has; [`Error::Singular`] for a singular mass matrix.
+    /// [`Error::Unknown`] if there is no point of this name; [`Error::Singular`] for a singular mass matrix.
     pub fn reaction(&mut self, point: &str) -> Result<[f64; 2]> {
         let point = self.structure.point(point)?;
         let (a, multipliers) = self.accelerations()?;
@@ -270,7 +310,7 @@ impl Simulation {
         Ok(self.structure.reaction(point, now))
     }
 
-    /// Accelerations, and the multipliers of pins and supports in their places; zero in statics.
+    /// Accelerations, and multipliers in their entries; zero in statics.
     fn accelerations(&mut self) -> Result<(DVector<f64>, DVector<f64>)> {
         let Simulation { model, structure, method, state, counts, motion, .. } = self;
         let mut a = DVector::zeros(structure.size());
@@ -290,11 +330,11 @@ impl Simulation {
         Ok((a, multipliers))
     }
 
-    /// Distance of a rod's axis from the chord through its ends now, at the fraction `at` of its length, m; positive to the left of
-    /// from → to.
+    /// Present deflection of a rod, m: distance of its axis, at the fraction `at` of its length, from the chord through
+    /// its ends; positive to the left of from → to.
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a name that no rod has; [`Error::Scene`] for a fraction that is not between 0 and 1, with both.
+    /// [`Error::Unknown`] if there is no rod of this name; [`Error::Scene`] for a fraction outside 0 … 1.
     pub fn deflection(&self, rod: &str, at: f64) -> Result<f64> {
         if !(0.0..=1.0).contains(&at) {
             let allowed = "a number from 0 to 1, with both: the place as a fraction of the rod's length".into();
@@ -308,16 +348,37 @@ impl Simulation {
         Ok(self.structure.deflection(self.structure.rod(rod)?, at, &self.state.u))
     }
 
-    /// Nodal coordinates of a rod now, vector by vector from its beginning: r, r_y, then r_j, r_xj, r_yj, r_k, r_yk of each of the
-    /// paper's elements, (4); or r, r_x, then r_k, r_xk of each Euler–Bernoulli element. Positions in m, slopes without unit.
+    /// Present nodal coordinates of a rod, vector by vector from its first point: r, r_y, then r_j, r_xj, r_yj, r_k,
+    /// r_yk of each of the paper's elements, (4); or r, r_x, then r_k, r_xk of each Euler–Bernoulli element. Positions
+    /// in m, slopes without unit.
+    ///
+    /// ```
+    /// use ancf::{model::Scene, run::Simulation};
+    ///
+    /// let pendulum = Simulation::new(Scene::builtin("pendulum-flexible").unwrap())?;
+    /// let e = pendulum.nodal_coordinates("rod")?;
+    /// assert_eq!(e.len(), 2 + 5 * pendulum.model().scene().rods[0].elements);
+    /// assert_eq!(e[..2], [[0.0, 0.0], [0.0, 1.0]]);
+    /// # Ok::<(), ancf::error::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// [`Error::Unknown`] for a name that no rod has.
+    /// [`Error::Unknown`] if there is no rod of this name.
     pub fn nodal_coordinates(&self, rod: &str) -> Result<Vec<[f64; 2]>> {
         Ok(self.structure.nodal_coordinates(self.structure.rod(rod)?, &self.state.u))
     }
 
-    /// The energies now.
+    /// Present energies.
+    ///
+    /// ```
+    /// use ancf::{model::Scene, run::Simulation};
+    ///
+    /// let mut pendulum = Simulation::new(Scene::builtin("pendulum-flexible").unwrap())?;
+    /// pendulum.run_until(0.05)?;
+    /// let energy = pendulum.energy();
+    /// assert!(energy.kinetic > 0.0 && energy.strain > 0.0 && energy.potential < 0.0);
+    /// # Ok::<(), ancf::error::Error>(())
+    /// ```
     pub fn energy(&self) -> Energies {
         let Simulation { structure, state, .. } = self;
         Energies {
@@ -327,22 +388,32 @@ impl Simulation {
         }
     }
 
-    /// Names of the columns of [`rows`](Simulation::rows).
+    /// Column names of [`rows`](Simulation::rows).
     pub fn columns(&self) -> &[String] {
         self.recorder.columns()
     }
 
-    /// The rows that the scene asks for, up to now, each as long as [`columns`](Simulation::columns).
+    /// Rows recorded so far, each as long as [`columns`](Simulation::columns).
+    ///
+    /// ```
+    /// use ancf::{model::Scene, run::Simulation};
+    ///
+    /// let mut pendulum = Simulation::new(Scene::builtin("pendulum-flexible").unwrap().until(0.05))?;
+    /// pendulum.run_until(0.05)?;
+    /// let last = pendulum.rows().last().unwrap();
+    /// assert_eq!((pendulum.columns()[0].as_str(), last[0]), ("t", 0.05));
+    /// # Ok::<(), ancf::error::Error>(())
+    /// ```
     pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
         self.recorder.rows().iter().map(Vec::as_slice)
     }
 
-    /// The structure, for [`Integrator`]s and what they need.
+    /// Structure, for [`Integrator`]s of your own.
     pub fn structure(&self) -> &Structure {
         &self.structure
     }
 
-    /// Displacements and velocities of all unknowns now.
+    /// Present displacements and velocities of all unknowns.
     pub fn state(&self) -> &State {
         &self.state
     }
@@ -368,7 +439,7 @@ impl std::fmt::Debug for Simulation {
 /// ```
 ///
 /// # Errors
-/// [`Error::Scene`] for a scene that is not valid; those of [`Simulation::new`] and [`Simulation::finish`].
+/// [`Error::Scene`] for an invalid scene; those of [`Simulation::new`] and [`Simulation::finish`].
 pub fn run<M>(model: M) -> Result<Run>
 where
     M: TryInto<Model>,
@@ -377,7 +448,7 @@ where
     Simulation::new(model)?.finish()
 }
 
-/// Runs a model and tells `on_step`, after each step, how many of [`Scene::steps`] are done.
+/// Runs a model; after each step `on_step` is called with the number of steps done, of [`Scene::steps`].
 ///
 /// # Errors
 /// Those of [`Simulation::new`] and [`Simulation::finish`].
@@ -389,7 +460,7 @@ where
     run_watched(Simulation::new(model)?, on_step, |_| ())
 }
 
-/// Runs a scene with a plan of its own, which may compute more than the scene needs.
+/// Runs a scene with a given plan, which may compute more than the scene needs.
 ///
 /// # Errors
 /// Those of [`Simulation::planned`] and [`Simulation::finish`].
@@ -397,7 +468,7 @@ pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(usize)) -> Re
     run_watched(Simulation::planned(scene.try_into()?, plan)?, on_step, |_| ())
 }
 
-/// Runs a simulation to its end, and shows it to `see` at its start and after each step.
+/// Runs a simulation to its end; `see` is called at the start and after each step.
 ///
 /// # Errors
 /// Those of [`Simulation::finish`].

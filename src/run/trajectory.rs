@@ -1,28 +1,41 @@
-//! The rows of a run.
+//! Recorded rows of a run.
 
 use std::io::{self, Write};
 
-/// A table over time.
+/// Table of recorded quantities over time.
+///
+/// ```
+/// use ancf::run::Trajectory;
+///
+/// let columns = vec!["t".to_string(), "tip.x".to_string()];
+/// let trajectory = Trajectory { columns, rows: vec![vec![0.0, 1.0], vec![0.1, 0.95]] };
+/// assert_eq!(trajectory.column("tip.x"), Some(vec![1.0, 0.95]));
+///
+/// let mut csv = Vec::new();
+/// trajectory.write_csv(&mut csv)?;
+/// assert_eq!(csv, b"t,tip.x\n0.0,1.0\n0.1,0.95\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trajectory {
-    /// Names of the columns, the first of them `t`.
+    /// Column names, the first of them `t`.
     pub columns: Vec<String>,
-    /// The rows, each as long as `columns`.
+    /// Rows, each as long as `columns`.
     pub rows: Vec<Vec<f64>>,
 }
 
 impl Trajectory {
-    /// A column by its name.
+    /// Values of a column; `None` if there is none of this name.
     pub fn column(&self, name: &str) -> Option<Vec<f64>> {
         let place = self.columns.iter().position(|column| column == name)?;
         Some(self.rows.iter().map(|row| row[place]).collect())
     }
 
-    /// Writes the table as CSV: names of the columns, then a line for each row. Numbers have as many digits as it takes to read
-    /// back the same `f64`.
+    /// Writes the table as CSV: column names, then a line per row. Numbers have enough digits to be read back as the
+    /// identical `f64`.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// I/O errors of `out`.
     pub fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{}", self.columns.join(","))?;
         for row in &self.rows {

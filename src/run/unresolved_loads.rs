@@ -1,30 +1,32 @@
-//! LoadScale between the steps: what comes and goes within a step is seen by none of its ends.
+//! Loads that steps do not resolve: what comes and goes within a step is seen at neither of its ends.
 //!
-//! A history is cut into stretches on which it rises, falls or stays. A ramp shorter than a step is seen afterwards by what it has
-//! led to; a second short stretch beside it may take that back before a step ends. Methods of fixed steps then miss a pulse
-//! altogether, and take a fast wave for a constant load. So they may where stretches are as long as a step and turn within steps: a wave
-//! half a step out of phase is zero at each end. Methods that choose their steps make one end at each corner that times tell apart.
+//! A history is cut into stretches on which it rises, falls or stays constant. A ramp shorter than a step still shows
+//! afterwards by its effect, but a second short stretch next to it may undo it before the step ends. Fixed-step methods
+//! then miss a pulse altogether, and take a fast wave for a constant load. They also may if stretches are as long as a
+//! step and turn within steps: a wave half a step out of phase is zero at each end. Adaptive methods end a step at each
+//! corner, unless corners are closer than rounding of times.
 
 use crate::integrators::same_time;
 use crate::model::{Method, Scene, Start, interpolate, times_of};
 
-/// Lengths that differ by less than this part of a step are as long as it: what times lose in writing.
+/// Relative difference of lengths that count as equal: digits lost in writing times.
 const ROUNDED: f64 = 1e-6;
 
-/// A corner nearer to the end of a step, in steps, is seen by it: what a scene's times may be off by.
+/// Largest distance of a corner from the end of a step, in steps, at which it is resolved: the error of a scene's
+/// times.
 const AT_END: f64 = 1e-3;
 
-/// A stretch of a history that steps may miss.
+/// Stretch of a history that steps may miss.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnresolvedLoad {
-    /// Which history.
+    /// Name of the history, in words.
     pub what: String,
-    /// Length of the shortest of such stretches of it, s.
+    /// Length of the shortest such stretch, s.
     pub length: f64,
 }
 
-/// The history with the shortest stretch that steps of a length (s) may miss; `None` where they miss none. Methods that choose their steps
-/// miss what is within the rounding of times.
+/// History with the shortest stretch that steps of length `step` (s) may miss; `None` if they miss none. Adaptive
+/// methods miss only what is within rounding of times.
 pub fn unresolved_load(scene: &Scene, step: f64) -> Option<UnresolvedLoad> {
     let step = match scene.time.method {
         Method::Static => return None,
@@ -53,7 +55,7 @@ pub fn unresolved_load(scene: &Scene, step: f64) -> Option<UnresolvedLoad> {
     short.min_by(|a, b| a.length.total_cmp(&b.length))
 }
 
-/// Whether two stretches beside one another, between these times, come and go unseen.
+/// Whether two adjacent stretches, between these times, come and go unseen.
 fn is_missed(turns: &[f64], step: f64) -> bool {
     let all_below = |share: f64| lengths(turns).all(|length| length < share * step);
     let within = |t: &f64| (t / step - (t / step).round()).abs() > AT_END;
@@ -64,8 +66,8 @@ fn lengths(turns: &[f64]) -> impl Iterator<Item = f64> {
     turns.windows(2).map(|ends| ends[1] - ends[0])
 }
 
-/// Times between which a history rises, falls or stays, from the start to the end, s. What is there at the start has come within no time,
-/// but for the heat of a relaxed start.
+/// Times between which a history rises, falls or stays constant, from start to end, s. The initial value is a jump of
+/// no duration, except for the heat of a relaxed start.
 fn turns(history: &[[f64; 2]], end: f64, relaxed: bool) -> Vec<f64> {
     let value = |t: f64| interpolate(history, t).unwrap_or(0.0);
     let times = times_of([history], end);
@@ -93,7 +95,7 @@ mod tests {
             |history: &[[f64; 2]], relaxed| -> Vec<f64> { lengths(&turns(history, 1.0, relaxed)).collect() };
         let cut = |history: &[[f64; 2]]| stretches(history, false);
         assert_eq!(cut(&[[0.25, 0.0], [0.5, 1.0], [0.75, 0.0]]), [0.25, 0.25, 0.25, 0.25]);
-        // What goes on rising is one stretch; what is after the end is none.
+        // A rise that continues is one stretch; what is after the end is none.
         assert_eq!(cut(&[[0.25, 0.0], [0.5, 1.0], [0.75, 3.0], [2.0, 8.0], [3.0, 0.0]]), [0.25, 0.75]);
         assert_eq!(cut(&[[0.0, 1.0], [0.25, 0.0]]), [0.0, 0.25, 0.75]);
         assert_eq!(stretches(&[[0.0, 1.0], [0.25, 0.0]], true), [0.25, 0.75]);

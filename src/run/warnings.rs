@@ -1,13 +1,14 @@
-//! Doubts that a scene itself raises.
+//! Warnings about a scene itself.
 
 use super::unresolved_loads::unresolved_load;
 use crate::model::{Element, Form, Method, Poisson, Rod, Scene, Start};
 use crate::structure::Structure;
 
-/// Steps per crossing of an element by the axial wave below which a heat shock is badly resolved, by a method's order. Measured on the
-/// suddenly heated pendulum (2D) with four elements, 0–0.5 s, the methods of order two against the oracle: six steps leave 1.1 to 1.5 mm,
-/// sixteen 0.2 to 0.3 mm, thirty-one 0.2 mm. "gauss", of order four, against "explicit" of 5·10⁻⁶ s: 0.8 steps leave 1.2 mm, 1.6
-/// steps 0.6 mm, three and six 0.2 mm. The explicit methods' own stability limit is short enough, and adaptive ones keep their tolerance.
+/// Steps per crossing of an element by the axial wave below which a heat shock is poorly resolved, by the method's
+/// order. Measured on the suddenly heated pendulum (2D) with four elements, 0–0.5 s. Second-order methods against the
+/// oracle: six steps leave 1.1 to 1.5 mm, sixteen 0.2 to 0.3 mm, thirty-one 0.2 mm. "gauss", of order four, against
+/// "explicit" with 5·10⁻⁶ s: 0.8 steps leave 1.2 mm, 1.6 steps 0.6 mm, three and six 0.2 mm. The stability limit of
+/// explicit methods is short enough, and adaptive ones keep their tolerance.
 fn steps_per_crossing(method: Method) -> Option<f64> {
     match method {
         Method::GeneralizedAlpha | Method::EnergyMomentum => Some(20.0),
@@ -16,13 +17,13 @@ fn steps_per_crossing(method: Method) -> Option<f64> {
     }
 }
 
-/// Doubts that the scene itself raises.
+/// All warnings about the scene itself.
 pub fn warnings(scene: &Scene) -> Vec<String> {
     let warnings = [shock_warning, unresolved_load_warning, locking_warning, form_warning];
     warnings.iter().filter_map(|warning| warning(scene)).collect()
 }
 
-/// A history that comes and goes between the ends of the steps.
+/// Warning about a history that comes and goes between the ends of the steps.
 fn unresolved_load_warning(scene: &Scene) -> Option<String> {
     let step = scene.time.step;
     let short = unresolved_load(scene, step)?;
@@ -40,7 +41,7 @@ fn unresolved_load_warning(scene: &Scene) -> Option<String> {
     })
 }
 
-/// Rods of the paper's element with ν ≠ 0 are too stiff in bending, whatever the mesh.
+/// Warning about locking: rods of the paper's element with ν ≠ 0 are too stiff in bending, for any mesh.
 fn locking_warning(scene: &Scene) -> Option<String> {
     let locks =
         |rod: &&Rod| rod.element == Element::Ancf && rod.poisson == Poisson::Full && scene.material(rod).nu != 0.0;
@@ -54,7 +55,7 @@ fn locking_warning(scene: &Scene) -> Option<String> {
     ))
 }
 
-/// The printed shear term makes a rod's stiffness depend on how it lies.
+/// Warning about the printed shear term, with which a rod's stiffness depends on its inclination.
 fn form_warning(scene: &Scene) -> Option<String> {
     (scene.form == Form::PrintedShear).then(|| {
         "\"form\": \"printed-shear\" counts the shear once, as printed: a rod at 45° gives in 1.33 times as much in bending and 1.50 \
@@ -63,13 +64,13 @@ fn form_warning(scene: &Scene) -> Option<String> {
     })
 }
 
-/// Implicit steps that do not resolve the wave of a heat shock.
+/// Warning about implicit steps that do not resolve the wave of a heat shock.
 fn shock_warning(scene: &Scene) -> Option<String> {
     let (needed, crossing) = (steps_per_crossing(scene.time.method)?, Structure::wave_crossing_time(scene));
     let shock = scene.rods.iter().any(|rod| {
         scene.heat(rod).is_some_and(|heat| {
             let sudden = heat.start == Start::Sudden && heat.at(0.0) != 0.0;
-            // Heat within the time that the wave takes along the rod is as good as sudden.
+            // Heat within the time of a wave along the rod is practically sudden.
             let wave = Structure::wave_time(scene, rod);
             sudden || heat.history.windows(2).any(|pair| pair[1][1] != pair[0][1] && pair[1][0] - pair[0][0] < wave)
         })

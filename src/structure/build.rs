@@ -1,4 +1,4 @@
-//! From a scene to a structure: nodes, numbering, loads, the relaxed start.
+//! Builds a structure from a model: nodes, numbering, loads, initial state.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -22,8 +22,7 @@ impl Structure {
     /// Builds the structure of a model.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] where the matrices would not fit into memory; [`Error::Drifts`] for statics of a structure
-    /// that can move without a strain.
+    /// [`Error::TooLarge`] where the matrices exceed the memory limit; [`Error::Drifts`] for statics of a mechanism.
     pub fn new<M>(model: M) -> Result<Structure>
     where
         M: TryInto<Model>,
@@ -33,7 +32,7 @@ impl Structure {
         Structure::of(&model, &Plan::of(model.scene()))
     }
 
-    /// Builds the structure of a model with a plan of its own, which may compute more than the model needs.
+    /// Builds the structure of a model with a given plan, which may compute more than the model needs.
     ///
     /// # Errors
     /// Those of [`new`](Structure::new).
@@ -45,7 +44,7 @@ impl Structure {
         Structure::of(&model.try_into()?, plan)
     }
 
-    /// Builds the structure of a model, without a generic type.
+    /// Builds the structure of a checked model.
     pub(crate) fn of(model: &Model, plan: &Plan) -> Result<Structure> {
         let scene = model.scene();
         let mut rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, plan)).collect();
@@ -95,7 +94,8 @@ impl Structure {
         Ok(structure)
     }
 
-    /// What the elements that meet at an unknown feel of a unit strain: (λ + 2μ)A or EA + 12EI/l² on a position, times l on a slope.
+    /// Force of a unit strain on each unknown, summed over the elements that meet there: (λ + 2μ)A or EA + 12EI/l² for
+    /// a position, times l for a slope.
     fn unit_forces(&self) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
         for rod in &*self.rods {
@@ -109,8 +109,8 @@ impl Structure {
         sum
     }
 
-    /// Displacement from the initial to the stress-free configuration at ΔT(0): a stretch in each heated direction, about the
-    /// supported point (or the beginning of the rod).
+    /// Displacement to the stress-free configuration at ΔT(0): a stretch in each heated direction, about the supported
+    /// point (or the rod's first point).
     fn relaxed(&self, scene: &Scene) -> DVector<f64> {
         let mut u = DVector::zeros(self.size());
         let thermal = self.thermal_strains(0.0);
@@ -128,7 +128,7 @@ impl Structure {
 }
 
 impl Structure {
-    /// Velocities of a rigid motion of the start.
+    /// Velocities of the initial rigid motion.
     fn moving(&self, scene: &Scene, motion: &Motion) -> DVector<f64> {
         let mut v = DVector::zeros(self.size());
         for (rod, data) in scene.rods.iter().zip(&*self.rods) {
@@ -150,7 +150,7 @@ impl Structure {
     }
 }
 
-/// What a change of each unknown is to an element ([`Structure::moved`]); to the shortest one, where several meet.
+/// Factors of [`Structure::moved`], by unknown: those of the shortest element where several meet.
 fn shares(rods: &[Rod], kinds: &[UnknownKind]) -> DVector<f64> {
     let mut shares = DVector::zeros(kinds.len());
     for rod in rods {
@@ -167,14 +167,14 @@ fn shares(rods: &[Rod], kinds: &[UnknownKind]) -> DVector<f64> {
     shares
 }
 
-/// Start, end and the corners of all histories between them.
+/// Start, end, and the corners of all histories in between.
 fn times(scene: &Scene) -> Vec<f64> {
     let of_rods = scene.rods.iter().filter_map(|rod| Some(scene.heat(rod)?.history.as_slice()));
     let of_forces = scene.forces.iter().filter_map(|force| force.history.as_deref());
     times_of(of_rods.chain(of_forces), scene.time.end)
 }
 
-/// The named points, with the node that each of the rods has there.
+/// Named points, with the node of each rod that meets there.
 fn points(scene: &Scene, rods: &[Rod]) -> BTreeMap<String, Point> {
     let mut points = BTreeMap::new();
     for (number, (rod, data)) in scene.rods.iter().zip(rods).enumerate() {
@@ -187,7 +187,7 @@ fn points(scene: &Scene, rods: &[Rod]) -> BTreeMap<String, Point> {
         meet(&rod.from, scene.points.get(&rod.from).copied(), 0.0);
         meet(&rod.to, scene.points.get(&rod.to).copied(), elements);
         if let Some(pivot) = &rod.pivot {
-            // A node that two elements share, or the middle node j of the element in the middle.
+            // A node shared by two elements, or the middle node j of the middle element.
             meet(pivot, scene.middle(rod), elements / 2.0);
         }
     }

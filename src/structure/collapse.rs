@@ -1,4 +1,4 @@
-//! FrontalChain of which nothing is left: pressed to nothing, or turned inside out.
+//! Collapsed elements: compressed to nothing, or turned inside out.
 
 use nalgebra::DVector;
 
@@ -6,13 +6,13 @@ use super::Structure;
 use crate::error::{Error, Result};
 
 impl Structure {
-    /// The largest change of a position over the length of its elements, or of a slope, from one displacement to another; of r_y times
-    /// h/l in elements that are higher than long.
+    /// Largest change between two displacements: of a position relative to the element length, or of a slope. For r_y
+    /// in elements higher than long it is multiplied by h/l.
     ///
-    /// Where it is δ no r_x changes by more than 13 δ, and no r_y by more than 1.3 δ, at any quadrature point: the sums over an element's
-    /// nodal vectors of |∂S/∂x| and |∂S/∂y| times what each of them is measured by.
+    /// If it is δ, no r_x changes by more than 13 δ and no r_y by more than 1.3 δ at any quadrature point. These are
+    /// the sums of |∂S/∂x| and |∂S/∂y| over an element's nodal vectors, weighted as above.
     pub fn moved(&self, before: &DVector<f64>, u: &DVector<f64>) -> f64 {
-        // Four at a time: one after the other they would wait for one another.
+        // Four independent maxima at a time: a single one would make every comparison wait for the one before.
         let (mut largest, mut sum) = ([0.0_f64; 4], [0.0_f64; 4]);
         let mut look_at = |before: &[f64], u: &[f64], shares: &[f64]| {
             for (n, ((before, u), share)) in before.iter().zip(u).zip(shares).enumerate() {
@@ -32,7 +32,7 @@ impl Structure {
     }
 
     /// Refuses a state `u` in which an element has collapsed ([`Beam::min_det_j`](crate::elements::Beam::min_det_j)); `before` is the state that
-    /// was looked at last. The equations still have solutions there, of an element that is its own mirror image.
+    /// was checked last. The equations still have solutions there, of an element that is its own mirror image.
     ///
     /// # Errors
     /// [`Error::Collapsed`].

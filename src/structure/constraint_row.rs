@@ -2,16 +2,16 @@
 
 use nalgebra::DVector;
 
-/// A row of Φ(q) = 0: Σ weight · displacement, the multiplier that keeps it, and whose unknowns it holds.
+/// Row of Φ(q) = 0: Σ weight · displacement, and the multiplier that enforces it.
 #[derive(Clone, Debug)]
 pub struct ConstraintRow {
     pub multiplier: usize,
-    /// Rod, unknown, weight.
+    /// Rod, unknown and weight of each term.
     pub terms: Vec<(usize, usize, f64)>,
 }
 
 impl ConstraintRow {
-    /// Its Φ_q x.
+    /// Value of the row of Φ_q x.
     pub fn of(&self, x: &DVector<f64>) -> f64 {
         self.terms.iter().map(|&(_, unknown, weight)| weight * x[unknown]).sum()
     }

@@ -1,8 +1,8 @@
-//! Φ(q) = 0 of equation (23): what pins and supports ask of the nodal vectors.
+//! Constraints Φ(q) = 0 of equation (23): rows of pins and supports over nodal vectors.
 //!
-//! All of it is linear in q, so that Φ_q is constant. Rows come in this order: pins by the names of their points, for each
-//! the rods that meet there in the scene's order, neighbour by neighbour, r(second) − r(first) = 0; then supports in the
-//! scene's order, each `fix`, `slide`, `clamp`, the first two on the point's first rod.
+//! All rows are linear in q, so that Φ_q is constant. Their order: first pins, by point name; for each point, its rods
+//! in the scene's order, neighbour by neighbour, r(second) − r(first) = 0. Then supports in the scene's order: `fix`,
+//! `slide`, `clamp`, the first two on the point's first rod.
 
 use std::collections::BTreeMap;
 
@@ -13,30 +13,30 @@ use super::point::{Node, Point};
 use crate::linear::Bordered;
 use crate::model::{Element, Scene, Support};
 
-/// One row: Σ weight · nodal vector = 0.
+/// Constraint Σ weight · nodal vector = 0.
 pub(super) struct Row {
     pub terms: Vec<Term>,
 }
 
-/// A nodal vector of a rod, by its place in the rod's chain, with its weight.
+/// Weighted nodal vector: a rod, the index in its chain, and the weight.
 pub(super) struct Term {
     pub rod: usize,
     pub vector: usize,
     pub weight: Vector2<f64>,
 }
 
-/// Every constraint of a scene.
+/// All constraints of a scene.
 pub(super) fn rows(scene: &Scene, points: &BTreeMap<String, Point>) -> Vec<Row> {
     let pins = points.values().flat_map(|point| point.nodes.windows(2)).flat_map(|pair| pin(pair[0], pair[1]));
     pins.chain(supports(scene, points)).collect()
 }
 
-/// Both rows of a pin between the nodes of two rods.
+/// Both constraints of a pin between the nodes of two rods.
 pub(super) fn pin(first: Node, second: Node) -> [Row; 2] {
     [Vector2::x(), Vector2::y()].map(|axis| Row { terms: vec![position(second, axis), position(first, -axis)] })
 }
 
-/// The rows of all supports.
+/// Constraints of all supports.
 pub(super) fn supports(scene: &Scene, points: &BTreeMap<String, Point>) -> impl Iterator<Item = Row> {
     scene.supports.iter().flat_map(|support| {
         let node = points[&support.point].nodes[0];
@@ -56,8 +56,8 @@ pub(super) fn held_directions(support: &Support) -> Vec<Vector2<f64>> {
     support.held().into_iter().map(Vector2::from).collect()
 }
 
-/// The node whose section a support clamps, and the direction that its slope must not have a part of: the rod's initial one
-/// for r_y, the one across for r_x.
+/// Node whose section a support clamps, with the direction that its slope must not have a component in: the rod's
+/// initial direction for r_y, its initial normal for r_x.
 pub(super) fn clamped(
     scene: &Scene,
     points: &BTreeMap<String, Point>,
@@ -76,12 +76,13 @@ pub(super) fn clamped(
 }
 
 impl Structure {
-    /// Unknown of the multiplier of a constraint row, in the order of rows; `None` after the last, and in the condensed form.
+    /// Unknown of the multiplier of a constraint row, in the order of rows; `None` after the last, and in the condensed
+    /// form.
     pub fn multiplier(&self, row: usize) -> Option<usize> {
         self.rows.get(row).map(|row| row.multiplier)
     }
 
-    /// Adds Φ_qᵀ λ, with λ from the entries of `x`, to the forces.
+    /// Adds Φ_qᵀ λ to the forces, with λ from the entries of `x`.
     pub fn add_constraint_forces(&self, x: &DVector<f64>, sum: &mut DVector<f64>) {
         for row in &self.rows {
             row.terms.iter().for_each(|&(_, unknown, weight)| sum[unknown] += weight * x[row.multiplier]);
@@ -106,21 +107,21 @@ impl Structure {
         }
     }
 
-    /// Takes λ out of a solution: it keeps the rest, with zeros in their place.
+    /// Moves λ out of a solution, leaving zeros in its entries.
     pub fn take_multipliers(&self, solution: &mut DVector<f64>) -> DVector<f64> {
         let mut multipliers = DVector::zeros(self.size());
         self.take_multipliers_into(solution, &mut multipliers);
         multipliers
     }
 
-    /// The same into `multipliers`, whose other entries are zero.
+    /// Moves λ out of a solution into `multipliers`, whose other entries are zero.
     pub fn take_multipliers_into(&self, solution: &mut DVector<f64>, multipliers: &mut DVector<f64>) {
         for row in &self.rows {
             multipliers[row.multiplier] = std::mem::take(&mut solution[row.multiplier]);
         }
     }
 
-    /// Largest |Φ(q)|, m, and |Φ_q v|, m/s, of the multipliers' form, at displacement `u` and velocity `v`.
+    /// Largest |Φ(q)|, m, and |Φ_q v|, m/s, in the form with multipliers, at displacement `u` and velocity `v`.
     pub fn constraint_residual(&self, u: &DVector<f64>, v: &DVector<f64>) -> [f64; 2] {
         [u, v].map(|x| self.rows.iter().map(|row| row.of(x).abs()).max_by(f64::total_cmp).unwrap_or(0.0))
     }

@@ -1,4 +1,4 @@
-//! Where an element is among the unknowns.
+//! Degrees of freedom of an element.
 
 use nalgebra::{DVector, Rotation2, SMatrix, SVector};
 
@@ -6,12 +6,12 @@ use super::node_dofs::NodeDofs;
 use crate::elements::{Ends, LANES};
 use crate::linear::NONE;
 
-/// Where an element's coordinates are among the unknowns.
+/// Unknowns of an element's coordinates.
 #[derive(Clone, Debug)]
 pub(super) struct ElementDofs<const N: usize> {
-    /// [`NONE`] for those that are held.
+    /// Unknown of each coordinate; [`NONE`] if held.
     pub unknowns: [u32; N],
-    /// Nodal vectors in axes of their own.
+    /// Nodal vectors with axes of their own: index and rotation to the global axes.
     pub turns: Vec<(usize, Rotation2<f64>)>,
 }
 
@@ -22,7 +22,7 @@ impl<const N: usize> ElementDofs<N> {
         ElementDofs { unknowns: std::array::from_fn(unknown), turns: turns.collect() }
     }
 
-    /// The element's coordinates from a vector of unknowns, in global axes.
+    /// Coordinates of the element from a vector of unknowns, in global axes.
     #[inline(always)]
     pub fn gather(&self, u: &DVector<f64>) -> SVector<f64, N> {
         let u = u.as_slice();
@@ -35,7 +35,7 @@ impl<const N: usize> ElementDofs<N> {
         gathered
     }
 
-    /// Adds the element's force to the unknowns'.
+    /// Adds the element's force to a vector of unknowns.
     #[inline(always)]
     pub fn scatter(&self, mut force: SVector<f64, N>, sum: &mut DVector<f64>) {
         for (n, turn) in &self.turns {
@@ -50,7 +50,7 @@ impl<const N: usize> ElementDofs<N> {
         }
     }
 
-    /// The element's matrix in its nodal vectors' own axes.
+    /// Matrix of the element in the axes of its nodal vectors.
     pub fn turned(&self, mut matrix: SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
         for (n, turn) in &self.turns {
             let rows = turn.inverse() * matrix.fixed_rows::<2>(2 * n);
@@ -61,7 +61,7 @@ impl<const N: usize> ElementDofs<N> {
         matrix
     }
 
-    /// A function of both ends of a step for this element.
+    /// Evaluates a function of both ends of a step for this element.
     #[inline(always)]
     pub fn over<T>(&self, ends: &Ends<DVector<f64>>, f: impl Fn(&Ends<SVector<f64, N>>) -> T) -> T {
         let (u_0, u_1) = (self.gather(ends.u_0), self.gather(ends.u_1));
@@ -69,13 +69,13 @@ impl<const N: usize> ElementDofs<N> {
     }
 }
 
-/// Coordinates of up to [`LANES`] elements; where there are fewer the rest is at rest.
+/// Coordinates of up to [`LANES`] elements; unused lanes are zero.
 #[inline(always)]
 pub(super) fn gather<const N: usize>(places: &[ElementDofs<N>], u: &DVector<f64>) -> [SVector<f64, N>; LANES] {
     std::array::from_fn(|lane| places.get(lane).map_or(SVector::zeros(), |place| place.gather(u)))
 }
 
-/// Adds their forces to the unknowns'.
+/// Adds the forces of up to [`LANES`] elements to a vector of unknowns.
 #[inline(always)]
 pub(super) fn scatter<const N: usize>(
     places: &[ElementDofs<N>],

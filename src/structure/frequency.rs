@@ -1,4 +1,4 @@
-//! How fast a structure can vibrate: bounds for time steps.
+//! Largest frequency and wave speed of a structure: bounds for time steps.
 
 use nalgebra::DVector;
 
@@ -10,43 +10,49 @@ use crate::equations::material::{self, YoungPoisson};
 use crate::linear::{Pencil, SingularAt, largest_eigenvalue};
 use crate::model::{self, Element, Material, Scene};
 
-/// What a rod is like while it vibrates: its stretches less 1 (along, across) and its thermal strain.
+/// State of a vibrating rod: its stretches minus 1 (along, across) and its thermal strain.
 type RodState = ([f64; 2], ThermalStrain);
 
-/// Of the stress-free strain, the strains that a heated rod is looked at with: at rest, stress-free, and twice that, to which sudden heat
-/// overshoots.
+/// Multiples of the stress-free strain at which a heated rod is examined: at rest, stress-free, and twice that, to
+/// which sudden heat overshoots.
 const SHARES: [f64; 3] = [0.0, 1.0, 2.0];
 
-/// How much faster than straight rods those may be that bend: a limit that is exact has nothing to spare. With no room scissors of two
-/// elements a rod ran away at the limit itself, though they bend by no more than κl = 0.04.
+/// Margin for bent rods, which vibrate a little faster than straight ones: an exact limit has no margin of its own.
+/// Without it, scissors of two elements per rod diverged at the limit itself, although they bend by no more than κl =
+/// 0.04.
 const BENT: f64 = 1.01;
 
-/// More different heats than this of a structure are not looked at one by one.
+/// Most different heats of a structure that are examined one by one.
 const MOST_HEATS: usize = 32;
 
-/// What is added to an eigenvalue, of itself, until nothing is above it for certain.
+/// Relative increases of an eigenvalue tried until it is certainly an upper bound.
 const EXCESSES: [f64; 6] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
 
 impl Structure {
-    /// The largest angular frequency, rad/s, to be expected: that of a straight structure at the start, at the end and at every corner of
-    /// the heat's history between them, at the stress-free strain ε_T and at 2ε_T, to which sudden heat overshoots.
+    /// Largest angular frequency to be expected, rad/s. It is that of a straight structure at the start, at the end and
+    /// at every corner of the heat histories in between, at the stress-free strain ε_T and at 2ε_T, to which sudden
+    /// heat overshoots.
     ///
-    /// A structure's largest frequency is not above the largest of its elements taken free (Irons and Treharne 1971):
-    /// Rayleigh's quotient of the whole is a weighted mean of its elements'. With the paper's element, whose fastest vibration is
-    /// that of a section, this bound is as good as reached, and stands. An Euler–Bernoulli element taken free is 1.3 to 1.5 times as
-    /// fast as a rod of them: where all rods are of these, Lanczos' method is asked for that of the whole. What it finds may be below the
-    /// largest, so that it is raised until σM − K has no negative eigenvalue, and nothing is above σ; where that does not happen the
-    /// bound stands; and by a hundredth, for rods that bend. Stretched rods are stiffer against the mass of their initial length, which is
-    /// why heat counts. Motions that strain a rod by tens of percent beyond
-    /// that can be faster still; an explicit run then ends in [`Error::NotFinite`](crate::error::Error::NotFinite).
+    /// The largest frequency of a structure is at most that of its free elements (Irons and Treharne 1971): Rayleigh's
+    /// quotient of the whole is a weighted mean of its elements'. For the paper's element, whose fastest vibration is
+    /// that of a section, this bound is nearly reached and is used as it is.
+    ///
+    /// A free Euler–Bernoulli element is 1.3 to 1.5 times as fast as a rod of them. If all rods are of this type,
+    /// Lanczos' method finds the largest frequency of the whole. Its result may be too low, so it is raised until σM −
+    /// K has no negative eigenvalue, which proves that nothing lies above σ; if that fails the bound of the elements
+    /// stands. A hundredth is added for rods that bend.
+    ///
+    /// Stretched rods are stiffer, with the mass of their initial length, which is why heat counts. Motions that strain
+    /// a rod by further tens of percent can be faster still; an explicit run then ends in
+    /// [`Error::NotFinite`](crate::error::Error::NotFinite).
     ///
     /// # Errors
-    /// The unknown with a vanishing pivot of the mass matrix.
+    /// Unknown of a vanishing pivot of the mass matrix.
     pub fn largest_frequency(&self) -> Result<f64, SingularAt> {
         let mut mass = self.factorize_mass()?;
         let heats = self.heats();
         let of_elements = self.rods.iter().enumerate().flat_map(|(n, rod)| {
-            // Least and most of its own: between them no element is faster than at both.
+            // Smallest and largest thermal strain of this rod: no strain between makes an element faster than both.
             let of_rod = || heats.iter().map(move |heat| heat[n]);
             let along = |a: &ThermalStrain, b: &ThermalStrain| a[0].total_cmp(&b[0]);
             let extremes = [of_rod().min_by(along), of_rod().max_by(along)].into_iter().flatten();
@@ -67,7 +73,7 @@ impl Structure {
         Ok((of_whole.fold(0.0, f64::max) * BENT * BENT).min(bound).sqrt())
     }
 
-    /// Thermal strains of all rods, as they are together at one time, without those that come again.
+    /// Thermal strains of all rods at each time, without repetitions.
     fn heats(&self) -> Vec<Vec<ThermalStrain>> {
         let mut heats: Vec<Vec<ThermalStrain>> = Vec::new();
         for t in &self.times {
@@ -83,13 +89,13 @@ impl Structure {
         self.rods.iter().zip(heat).map(|(rod, thermal)| rod.state(share, *thermal)).collect()
     }
 
-    /// A number above which K x = λ M x has no eigenvalue, and by little; `None` where none is found.
+    /// Upper bound of the eigenvalues of K x = λ M x, and a close one; `None` where none is found.
     fn largest_eigenvalue(&self, states: &[RodState], mass: &mut MassFactors) -> Option<f64> {
         let (found, missed) = largest_eigenvalue(&mut Vibration { structure: self, mass, states })?;
         EXCESSES.map(|excess| (found + missed) * (1.0 + excess)).into_iter().find(|sigma| self.is_above(*sigma, states))
     }
 
-    /// Whether K x = λ M x has no eigenvalue above `sigma`: σM − K no negative one (Sylvester).
+    /// Whether K x = λ M x has no eigenvalue above `sigma`: σM − K has no negative one (Sylvester).
     fn is_above(&self, sigma: f64, states: &[RodState]) -> bool {
         let matrix = self.assemble_matrix(|rod| {
             let (stretch, eps_t) = states[rod];
@@ -98,13 +104,13 @@ impl Structure {
         matrix.negative_eigenvalues() == Some(0)
     }
 
-    /// The shortest time in which an axial wave crosses an element, s.
+    /// Shortest time in which an axial wave crosses an element, s.
     pub fn wave_crossing_time(scene: &Scene) -> f64 {
         let crossing = |rod: &model::Rod| Structure::wave_time(scene, rod) / rod.elements as f64;
         scene.rods.iter().map(crossing).fold(f64::INFINITY, f64::min)
     }
 
-    /// The time in which an axial wave, √((λ + 2μ)/ρ) fast or √(E/ρ), runs along a rod, s.
+    /// Time in which an axial wave, of speed √((λ + 2μ)/ρ) or √(E/ρ), runs along a rod, s.
     pub fn wave_time(scene: &Scene, rod: &model::Rod) -> f64 {
         let Material { youngs_modulus, nu, rho, .. } = *scene.material(rod);
         let moduli = YoungPoisson { E: youngs_modulus, nu };
@@ -117,7 +123,7 @@ impl Structure {
 }
 
 impl Rod {
-    /// The rod at a share of its stress-free strain; where nothing would be left of it, at rest.
+    /// State of the rod at a multiple of its stress-free strain; at rest if that would leave nothing of it.
     fn state(&self, share: f64, thermal: ThermalStrain) -> RodState {
         let stretch = self.mesh.stress_free(thermal.map(|strain| share * strain));
         let is_there = stretch.iter().all(|less_one| 1.0 + less_one > 0.0);
@@ -175,7 +181,7 @@ mod tests {
         scene
     }
 
-    /// The largest eigenvalue of the dense pencil.
+    /// Largest eigenvalue of the dense pencil.
     fn dense(structure: &Structure, states: &[RodState]) -> f64 {
         let matrix = |stiffness: f64, mass: f64| {
             let of_rod = |rod: usize| {
@@ -189,7 +195,7 @@ mod tests {
         lower.solve_lower_triangular(&half.transpose()).unwrap().symmetric_eigenvalues().max()
     }
 
-    /// An estimate from below is noticed, and what is given instead is above for certain, by 2·10⁻⁶ at most.
+    /// An estimate that is too low is noticed; the bound is above the exact value by at most 2·10⁻⁶.
     #[test]
     fn nothing_is_above_the_largest_eigenvalue() {
         let structure = Structure::new(&pair()).unwrap();
@@ -205,8 +211,8 @@ mod tests {
         }
     }
 
-    /// Rods are hot together where their histories say so at one time, wherever in their lists that stands; what comes after the end, or
-    /// has not come by then, does not count.
+    /// Heats combine what all histories say at one time, wherever that stands in their lists; what comes after the end
+    /// does not count.
     #[test]
     fn heats_are_those_of_one_time_within_the_run() {
         let mut scene = pair();
@@ -221,20 +227,21 @@ mod tests {
         for (found, expected) in changes.iter().zip(expected) {
             assert!((found[0] - expected[0]).hypot(found[1] - expected[1]) < 1e-9, "{found:?} {expected:?}");
         }
-        // Those of the rods' own greatest heat, and no more.
+        // The rods' own greatest heats, and nothing above them.
         let square = structure.largest_frequency().unwrap().powi(2);
         let states = structure.heats().into_iter().flat_map(|heat| SHARES.map(|share| structure.states(share, &heat)));
         let exact = states.map(|states| dense(&structure, &states)).fold(0.0, f64::max) * BENT * BENT;
         assert!(square > exact && square < exact * (1.0 + 3e-6), "{square} {exact}");
 
-        // More corners than are looked at one by one: the bound of the elements stands.
+        // More corners than are examined one by one: the bound of the elements is used.
         let history = (0..200).map(|n| [0.001 * f64::from(n), 3.0 * f64::from(n)]).collect();
         scene.rods[0].temperature = heat(history);
         let bound = Structure::new(&scene).unwrap().largest_frequency().unwrap();
         assert!(bound > square.sqrt() && bound < 2.0 * square.sqrt(), "{bound}");
     }
 
-    /// Between two strains no element is faster than at both, at rest, stress-free and beyond: corners are enough.
+    /// At no strain between two others is an element faster than at both, at rest, stress-free and beyond: checking
+    /// corners is enough.
     #[test]
     fn elements_are_fastest_at_the_ends_of_a_range_of_strains() {
         for element in [Element::Ancf, Element::EulerBernoulli] {

@@ -1,4 +1,4 @@
-//! What acts on a structure over time: weight, forces at points, heat.
+//! Loads of a structure over time: weight, point forces, heat.
 
 use nalgebra::{DVector, Vector2};
 
@@ -12,21 +12,21 @@ impl Structure {
         &self.gravity
     }
 
-    /// Adds `factor` · the generalized force of the point forces at time `t`.
+    /// Adds `factor` · the generalized point forces at time `t`.
     pub fn add_point_forces(&self, t: f64, factor: f64, sum: &mut DVector<f64>) {
         for (force, place) in self.forces.iter().zip(&self.force_places) {
             place.add(&(factor * Vector2::from(force.at(t))), sum);
         }
     }
 
-    /// All external forces at time `t`, in statics at the load factor `t`.
+    /// All external forces at time `t`, or at the load factor `t` in statics.
     pub fn load(&self, t: f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
         self.load_into(t, &mut sum);
         sum
     }
 
-    /// The same into `sum`.
+    /// All external forces at time `t`, or at the load factor `t` in statics, into `sum`.
     pub fn load_into(&self, t: f64, sum: &mut DVector<f64>) {
         if self.plan.weight {
             sum.copy_from(&self.gravity);
@@ -39,12 +39,13 @@ impl Structure {
         }
     }
 
-    /// Thermal strain (along, across) of each rod at time `t`, in statics at the load factor `t`.
+    /// Thermal strain (along, across) of each rod at time `t`, or at the load factor `t` in statics.
     pub fn thermal_strains(&self, t: f64) -> Vec<ThermalStrain> {
         self.rods.iter().map(|rod| self.thermal_strain(rod, t)).collect()
     }
 
-    /// The same into `thermal`, which has a place for each rod and was given by [`thermal_strains`](Structure::thermal_strains).
+    /// Thermal strains of all rods at time `t`, into `thermal`, which [`thermal_strains`](Structure::thermal_strains)
+    /// has made.
     pub fn thermal_strains_into(&self, t: f64, thermal: &mut [ThermalStrain]) {
         if !self.plan.heat {
             return;

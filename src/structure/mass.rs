@@ -1,12 +1,12 @@
-//! The mass matrix, factorised once and solved with in every explicit step.
+//! Mass matrix, factorised once and solved with in every explicit step.
 //!
-//! Each element's M is a matrix of numbers times the unit matrix of the plane: nodal vectors are coupled, x and y are not. So the
-//! *free* vectors of a rod, which are its own and not held in any direction, are one band of numbers ([`BandedLdlt`]), solved for
-//! x and y side by side. The others, which rods share or a support holds in one direction, are the *border*:
+//! Each element's M is a scalar matrix times the plane unit matrix: it couples nodal vectors, but not x with y. So the
+//! *free* vectors of a rod, those neither shared nor held in any direction, form one scalar band ([`BandedLdlt`]),
+//! solved for x and y together. The others, shared between rods or held in one direction, are the *border*:
 //!
 //! M_ff a_f + M_fb a_b = f_f,  M_bf a_f + M_bb a_b = f_b  ⇒  (M_bb − M_bf W) a_b = f_b − M_bf M_ff⁻¹ f_f,  a_f = M_ff⁻¹ f_f − W a_b,
 //!
-//! with W = M_ff⁻¹ M_fb, made once. Multipliers, where there are any, couple everything: then it is a [`BorderedLu`].
+//! with W = M_ff⁻¹ M_fb, computed once. Multipliers couple everything; with them a [`BorderedLu`] is used.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ use super::rod::Rod;
 use super::rod_elements::ElementMatrix;
 use crate::linear::{BandLu, BandMatrix, BandedLdlt, BorderedLu, SingularAt, flush};
 
-/// Most vectors of the border that a rod touches: positions and slopes of two ends and of a pivot.
+/// Most border vectors of a rod: positions and slopes of both ends and of a pivot.
 const MOST_BORDER_VECTORS: usize = 6;
 
 /// Factors of a structure's mass matrix.
@@ -32,43 +32,43 @@ enum MassKind {
     Multipliers(BorderedLu),
 }
 
-/// In the condensed form.
+/// Factors in the condensed form.
 #[derive(Debug)]
 struct Condensed {
     rods: Vec<RodFactors>,
-    /// The border's vectors, their unknowns numbered by `unknowns`.
+    /// Border vectors, numbered by `unknowns`.
     border: Vec<NodeDofs>,
-    /// The structure's numbers of the border's unknowns.
+    /// Unknowns of the border in the structure's numbering.
     unknowns: Vec<usize>,
     corner: BandLu,
-    /// Memory for the border's part of a right-hand side.
+    /// Buffer for the border's part of a right-hand side.
     rest: DVector<f64>,
 }
 
-/// One rod's part.
+/// Factors of one rod.
 #[derive(Debug)]
 struct RodFactors {
-    /// First unknowns of its free vectors.
+    /// First unknowns of the free vectors.
     free: Vec<u32>,
     band: Band,
-    /// The border's vectors that it touches.
+    /// Border vectors that the rod touches.
     touches: Vec<usize>,
-    /// M_fb: free vector, number among the touched ones, entry.
+    /// Coupling M_fb: free vector, index of the touched vector, entry.
     coupling: Vec<(usize, usize, f64)>,
-    /// W by rows: for each free vector an entry of each touched one.
+    /// Matrix W by rows: for each free vector one entry per touched vector.
     response: Vec<f64>,
 }
 
-/// A band as wide as the element asks for.
+/// Scalar band of the half-width that the element needs.
 #[derive(Debug)]
 enum Band {
-    /// FrontalChain of four nodal vectors.
+    /// Band of elements with four nodal vectors.
     Three(BandedLdlt<3>),
-    /// FrontalChain of seven.
+    /// Band of elements with seven nodal vectors.
     Six(BandedLdlt<6>),
 }
 
-/// Entries of one rod's mass matrix, by places in its chain of nodal vectors.
+/// Entries of one rod's mass matrix, by indices in its chain of nodal vectors.
 struct RodMass<'a> {
     rod: &'a Rod,
 }
@@ -84,7 +84,7 @@ impl RodMass<'_> {
         (both.saturating_sub(1)..=both).filter_map(of).sum()
     }
 
-    /// Places of the vectors that a vector shares an element with.
+    /// Indices of the vectors that share an element with a vector.
     fn neighbours(&self, vector: usize) -> std::ops::Range<usize> {
         let reach = self.rod.mesh.vectors().len() - 1;
         vector.saturating_sub(reach)..(vector + reach + 1).min(self.rod.chain.len())
@@ -110,7 +110,7 @@ impl Band {
 
 impl Condensed {
     fn new(rods: &[Rod], first_shared: usize) -> Result<Condensed, SingularAt> {
-        // The border's vectors: a shared one has the same unknowns in every rod.
+        // Border vectors: a shared one has the same unknowns in every rod.
         let is_free = |vector: &NodeDofs| matches!(vector.unknowns, [Some(x), Some(_)] if x < first_shared);
         let mut known: BTreeMap<[Option<usize>; 2], usize> = BTreeMap::new();
         let mut vectors: Vec<NodeDofs> = Vec::new();
@@ -125,7 +125,7 @@ impl Condensed {
             });
             touches.push(numbers.collect::<Vec<usize>>());
         }
-        // Numbered outwards, so that their band is narrow.
+        // Numbered along the structure, so that their band is narrow.
         let mut unknowns = Vec::new();
         let mut border = vectors.clone();
         for vector in order(vectors.len(), &touches) {
@@ -173,7 +173,7 @@ fn vector_at(b: &[f64], place: u32) -> Vector2<f64> {
 }
 
 impl RodFactors {
-    /// A rod's factors; what it leaves of M_bb − M_bf W is added to the corner.
+    /// Factors of a rod; its part of M_bb − M_bf W is added to the corner.
     fn new(
         mass: &RodMass,
         is_free: impl Fn(&NodeDofs) -> bool,
@@ -189,7 +189,7 @@ impl RodFactors {
         let band = Band::new(mass.rod.mesh.vectors().len(), places.len(), entry)
             .map_err(|SingularAt(row)| SingularAt(free[row] as usize))?;
 
-        // Places in the chain of the border's vectors, and the coupling of free ones with them.
+        // Indices in the chain of the border vectors, and the coupling of free vectors with them.
         let bordering: Vec<(usize, usize)> =
             (0..chain.len()).filter_map(|vector| Some((vector, place_of(&chain[vector])?))).collect();
         let mut coupling = Vec::new();
@@ -219,7 +219,7 @@ impl RodFactors {
         Ok(rod)
     }
 
-    /// W, column by column: the band is asked for vectors whose second components are nothing.
+    /// Matrix W, column by column: the band is solved for vectors with y = 0.
     fn find_response(&mut self) {
         let (count, packed) = (self.touches.len(), 0..self.free.len() as u32);
         let packed: Vec<u32> = packed.map(|n| 2 * n).collect();
@@ -233,7 +233,7 @@ impl RodFactors {
         }
     }
 
-    /// Takes W a_b off the free vectors.
+    /// Subtracts W a_b from the free vectors.
     fn respond(&self, border: &[NodeDofs], rest: &DVector<f64>, b: &mut [f64]) {
         if self.touches.is_empty() {
             return;
@@ -248,7 +248,7 @@ impl RodFactors {
     }
 }
 
-/// Adds `mass` · 1, which couples two nodal vectors, in the axes that each of them has.
+/// Adds `mass` · 1, which couples two nodal vectors, in the axes of each of them.
 fn add_entry(mass: f64, row: &NodeDofs, column: &NodeDofs, corner: &mut BandMatrix) {
     for (axis, j) in [Vector2::x(), Vector2::y()].into_iter().zip(column.unknowns) {
         let along = column.turn.map_or(axis, |turn| turn * axis);
@@ -262,7 +262,7 @@ fn add_entry(mass: f64, row: &NodeDofs, column: &NodeDofs, corner: &mut BandMatr
 }
 
 impl MassFactors {
-    /// Solves M a = f in place, with multipliers: M a + Φ_qᵀ λ = f, Φ_q a = 0.
+    /// Solves M a = f in place; with multipliers M a + Φ_qᵀ λ = f, Φ_q a = 0.
     pub fn solve(&mut self, f: &mut DVector<f64>) {
         match &mut self.0 {
             MassKind::Condensed(condensed) => condensed.solve(f.as_mut_slice()),
@@ -273,10 +273,10 @@ impl MassFactors {
 }
 
 impl Structure {
-    /// The mass matrix, factorised, with the constraints beside and below it where there are multipliers.
+    /// Factorises the mass matrix, bordered by the constraints if there are multipliers.
     ///
     /// # Errors
-    /// The unknown with a vanishing pivot; [`place`](Structure::place) says where that is.
+    /// Unknown of a vanishing pivot; [`place`](Structure::place) describes it.
     pub fn factorize_mass(&self) -> Result<MassFactors, SingularAt> {
         if self.rows.is_empty() {
             return Ok(MassFactors(MassKind::Condensed(Condensed::new(&self.rods, self.layout.border)?)));

@@ -1,4 +1,4 @@
-//! The matrices that methods ask a structure for, and their factors.
+//! Matrices of a structure, and their factors.
 
 use nalgebra::{Complex, DVector};
 
@@ -7,10 +7,10 @@ use super::{StepEnds, Structure, of_rod};
 use crate::elements::ThermalStrain;
 use crate::linear::{Bordered, BorderedLu, Chain, CondensedFactors, Filling, Number, SingularAt};
 
-/// A matrix that is factorised.
+/// Matrix to be factorised.
 #[derive(Debug)]
 pub enum Matrix<'a> {
-    /// `stiffness` · (tangent, with the constraints' forces where there are multipliers) + `mass` · M.
+    /// `stiffness` · tangent (including the constraint forces, with multipliers) + `mass` · M.
     Tangent {
         /// Displacement.
         u: &'a DVector<f64>,
@@ -21,7 +21,7 @@ pub enum Matrix<'a> {
         /// Factor of M.
         mass: f64,
     },
-    /// The tangent of Newton's iteration with independent stresses: those that it expected when it went from `before` to `u`
+    /// Tangent of Newton's iteration with independent stresses: those expected when it went from `before` to `u`
     /// ([`Beam::mixed_tangent`](crate::elements::Beam::mixed_tangent)).
     Mixed {
         /// Displacement before the last iteration.
@@ -31,9 +31,9 @@ pub enum Matrix<'a> {
         /// Thermal strains of the rods.
         thermal: &'a [ThermalStrain],
     },
-    /// The derivative of [`mean_force`](Structure::mean_force) with respect to `u_1`, + `mass` · M.
+    /// Derivative of [`mean_force`](Structure::mean_force) with respect to `u_1`, plus `mass` · M.
     Mean {
-        /// The step.
+        /// Both ends of the step.
         ends: StepEnds<'a>,
         /// Factor of M.
         mass: f64,
@@ -51,7 +51,7 @@ impl<'a> Matrix<'a> {
         }
     }
 
-    /// The factor of Φ_qᵀ beside it.
+    /// Factor of Φ_qᵀ beside the matrix.
     pub(super) fn constraint_factor(&self) -> f64 {
         if let Matrix::Tangent { stiffness, .. } = self { *stiffness } else { 1.0 }
     }
@@ -60,14 +60,14 @@ impl<'a> Matrix<'a> {
 /// LU factors of a structure's matrix, or memory for them.
 #[derive(Debug)]
 pub enum Factors {
-    /// In the condensed form.
+    /// Factors in the condensed form.
     CondensedFactors(CondensedFactors),
-    /// With multipliers.
+    /// Factors in the form with multipliers.
     Bordered(Option<BorderedLu>),
 }
 
 impl Factors {
-    /// Solves A x = b in place. Without factors the solution is not a number.
+    /// Solves A x = b in place. Without factors the solution is NaN.
     pub fn solve(&self, b: &mut DVector<f64>) {
         match self {
             Factors::CondensedFactors(chains) => chains.solve(b),
@@ -77,11 +77,11 @@ impl Factors {
     }
 }
 
-/// Entries of the largest element's matrix.
+/// Number of entries of the largest element's matrix.
 const MOST_ENTRIES: usize = 14 * 14;
 
 impl Structure {
-    /// Memory that one matrix with its factors takes, bytes.
+    /// Memory of one matrix with its factors, bytes.
     pub fn matrix_bytes(&self) -> usize {
         match self.factors() {
             Factors::CondensedFactors(chains) => chains.bytes(),
@@ -99,13 +99,13 @@ impl Structure {
         self.assemble_matrix(|n| ElementMatrix::Tangent { u, eps_t: thermal[n], stiffness: 1.0, mass: 0.0 })
     }
 
-    /// In how many independent directions the equilibrium at the load factor `t` is unstable: negative eigenvalues of the tangent.
-    /// `None` where elimination does not tell.
+    /// Number of independent directions in which the equilibrium at the load factor `t` is unstable: negative
+    /// eigenvalues of the tangent. `None` where elimination fails.
     pub fn unstable_directions(&self, u: &DVector<f64>, t: f64) -> Option<usize> {
         self.tangent(u, &self.thermal_strains(t)).negative_eigenvalues()
     }
 
-    /// Memory for factors of its matrices.
+    /// Allocates the factors of a matrix.
     pub fn factors(&self) -> Factors {
         if self.rows.is_empty() {
             let chains = self.rods.iter().map(|rod| rod.mesh.chain(self.layout.border)).collect();
@@ -115,7 +115,7 @@ impl Structure {
         }
     }
 
-    /// Memory for the factors of complex matrices; in the condensed form only.
+    /// Allocates the factors of a complex matrix; for the condensed form only.
     pub fn complex_factors(&self) -> CondensedFactors<Complex<f64>> {
         self.chains(self.rods.iter().map(|rod| rod.mesh.complex_chain(self.layout.border)).collect())
     }
@@ -124,16 +124,16 @@ impl Structure {
         CondensedFactors::new(chains, self.layout.border, self.layout.border_size, self.layout.border_band)
     }
 
-    /// LU factors of a matrix.
+    /// Factorises a matrix.
     ///
     /// # Errors
-    /// The unknown with a vanishing pivot; [`place`](Structure::place) says where that is.
+    /// Unknown of a vanishing pivot; [`place`](Structure::place) describes it.
     pub fn factorize(&self, matrix: Matrix, factors: &mut Factors) -> Result<(), SingularAt> {
         match factors {
             Factors::CondensedFactors(chains) => chains.factorize(|rod, element, columns| {
                 self.rods[rod].mesh.matrix(element, &matrix.of_rod(rod), columns);
             }),
-            // Where coordinates stand beside multipliers, rows and columns of all blocks have to be scaled first.
+            // With multipliers beside coordinates, rows and columns of all blocks must be scaled first.
             Factors::Bordered(factors) => {
                 let mut sum = self.assemble_matrix(|rod| matrix.of_rod(rod));
                 self.add_constraints(matrix.constraint_factor(), &mut sum);
@@ -143,7 +143,7 @@ impl Structure {
         }
     }
 
-    /// LU factors of M + `stiffness` · tangent for a complex `stiffness`, in the condensed form.
+    /// Factorises M + `stiffness` · tangent for a complex `stiffness`, in the condensed form.
     ///
     /// # Errors
     /// Those of [`factorize`](Structure::factorize).
@@ -171,7 +171,7 @@ impl Structure {
         self.rods[n].mesh.add_matrix(matrix, block);
     }
 
-    /// Sum of the elements' matrices, asked for by the number of a rod.
+    /// Sum of all elements' matrices; `matrix` chooses one by the number of the rod.
     pub(super) fn assemble_matrix<'a>(&self, matrix: impl Fn(usize) -> ElementMatrix<'a>) -> Bordered {
         let mut sum = Bordered::zeros(&self.layout);
         for n in 0..self.rods.len() {

@@ -1,9 +1,9 @@
-//! Whether a structure is held: statics needs supports and pins that leave no motion without a strain.
+//! Mechanisms: statics needs supports and pins that leave no motion without strain.
 //!
-//! Rods taken as rigid move by three numbers each, the velocity of the beginning and ω L, and constraints are linear in
-//! them: C x = 0. The structure drifts where that has a solution x ≠ 0. C = Q R by rotations, and inverse iteration on
-//! RᵀR finds the x that C stretches least, without the digits that forming CᵀC would cost. It is a first-order
-//! statement: two rods in line, pinned where they meet, can move across for no strain at first, and are refused.
+//! Each rod, taken as rigid, has three velocities: that of its first point, and ω L. Constraints are linear in them: C
+//! x = 0. The structure is a mechanism if that has a solution x ≠ 0. C = Q R by rotations, and inverse iteration on RᵀR
+//! finds the x that C stretches least, without the digits lost in forming CᵀC. The statement is of first order: two
+//! rods in line, pinned where they meet, can move across without strain at first, and are refused.
 
 use std::collections::BTreeMap;
 
@@ -17,31 +17,31 @@ use crate::elements::Meaning;
 use crate::error::{Error, Result};
 use crate::model::Scene;
 
-/// |C x| / |x| below which x is a motion without strain: above what rounding leaves of zero in thousands of rods, and below
-/// what such a structure stretches where it is held.
+/// Largest |C x| / |x| of a motion without strain: above the rounding of zero in thousands of rods, and below the value
+/// of such a structure where it is held.
 const DRIFTS: f64 = 1e-12;
 
-/// What stands for a zero on the diagonal of R.
+/// Replaces a zero on the diagonal of R.
 const ZERO: f64 = 1e-18;
 
 const ITERATIONS: usize = 4;
 
-/// Most rods that the message names.
+/// Most rods named in the message.
 const MOST_NAMES: usize = 4;
 
-/// Numbers that a rod moves by.
+/// Number of rigid velocities of a rod.
 const MOTIONS: usize = 3;
 
-/// Refuses a structure that can move without a strain.
+/// Refuses a structure that can move without strain.
 ///
 /// # Errors
-/// [`Error::Drifts`] with the rods that move; [`Error::TooLarge`] where too many rods meet for the memory.
+/// [`Error::Drifts`] with the moving rods; [`Error::TooLarge`] where too many rods meet for the memory.
 pub(super) fn check(scene: &Scene, points: &BTreeMap<String, Point>, rods: &[Rod]) -> Result<()> {
     let place = places(rods.len(), points);
     let mut rows: Vec<Vec<(usize, f64)>> = Vec::new();
     for point in points.values() {
         let mut nodes = point.nodes.clone();
-        // Neighbours in the order of places, so that the band stays narrow where many rods meet.
+        // Neighbours in the order of rods, so that the band stays narrow where many rods meet.
         nodes.sort_by_key(|node| place[node.rod]);
         let pins = nodes.windows(2).flat_map(|pair| pin(pair[0], pair[1]));
         rows.extend(pins.map(|row| rates(scene, rods, &place, &row)));
@@ -69,7 +69,7 @@ pub(super) fn check(scene: &Scene, points: &BTreeMap<String, Point>, rods: &[Rod
     Err(Error::Drifts { rods: moving[..moving.len().min(MOST_NAMES)].join(", ") + more })
 }
 
-/// The upper triangular factor of a matrix whose rows reach no further than a band.
+/// Upper triangular factor of a matrix with banded rows.
 struct Triangle {
     size: usize,
     width: usize,
@@ -78,7 +78,7 @@ struct Triangle {
 }
 
 impl Triangle {
-    /// Without any rows yet; `rows` say how far they will reach.
+    /// Factor without rows yet; `rows` determine its bandwidth.
     fn new(size: usize, rows: &[Vec<(usize, f64)>]) -> Result<Triangle> {
         let reach = |row: &Vec<(usize, f64)>| {
             let columns = || row.iter().map(|(column, _)| *column);
@@ -138,7 +138,7 @@ impl Triangle {
     }
 }
 
-/// ElementDofs of each rod in an order in which those that meet are close together.
+/// Position of each rod in an order that keeps connected rods close together.
 fn places(rods: usize, points: &BTreeMap<String, Point>) -> Vec<usize> {
     let mut touches = vec![Vec::new(); rods];
     for (n, point) in points.values().enumerate() {
@@ -149,7 +149,7 @@ fn places(rods: usize, points: &BTreeMap<String, Point>) -> Vec<usize> {
     place
 }
 
-/// A constraint row's factors of the motions (v_x, v_y, ω L) of its rods, by their columns.
+/// Coefficients of a constraint in the velocities (v_x, v_y, ω L) of its rods, with their columns.
 fn rates(scene: &Scene, rods: &[Rod], place: &[usize], row: &Row) -> Vec<(usize, f64)> {
     let rate = |rod: usize, vector: usize, weight: Vector2<f64>| {
         let ends = [&scene.rods[rod].from, &scene.rods[rod].to].map(|name| Vector2::from(scene.points[name]));

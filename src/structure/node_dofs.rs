@@ -1,24 +1,24 @@
-//! Where a nodal vector is among the unknowns.
+//! Degrees of freedom of a nodal vector.
 
 use nalgebra::{DVector, Rotation2, Vector2};
 
-/// Where the components of a nodal vector are among the unknowns.
+/// Unknowns of a nodal vector's components.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct NodeDofs {
-    /// `None` where a support holds the component.
+    /// Unknown of each component; `None` if a support holds it.
     pub unknowns: [Option<usize>; 2],
-    /// From the vector's own axes to the global ones, where they differ.
+    /// Rotation from the vector's own axes to the global ones, if they differ.
     pub turn: Option<Rotation2<f64>>,
 }
 
 impl NodeDofs {
-    /// The nodal vector in a vector of unknowns, in global axes; zero where it is held.
+    /// Nodal vector from a vector of unknowns, in global axes; zero where held.
     pub fn get(&self, u: &DVector<f64>) -> Vector2<f64> {
         let own = Vector2::from(self.unknowns.map(|unknown| unknown.map_or(0.0, |unknown| u[unknown])));
         self.turn.map_or(own, |turn| turn * own)
     }
 
-    /// Adds a nodal vector, in global axes, to the unknowns; what is held takes none.
+    /// Adds a nodal vector, in global axes, to a vector of unknowns; held components are dropped.
     pub fn add(&self, vector: &Vector2<f64>, sum: &mut DVector<f64>) {
         let own = self.turn.map_or(*vector, |turn| turn.inverse() * vector);
         for (unknown, value) in self.unknowns.iter().zip(&own) {
@@ -28,7 +28,7 @@ impl NodeDofs {
         }
     }
 
-    /// Puts a nodal vector, in global axes, in its place.
+    /// Writes a nodal vector, in global axes, into a vector of unknowns; held components are dropped.
     pub fn set(&self, vector: &Vector2<f64>, u: &mut DVector<f64>) {
         let own = self.turn.map_or(*vector, |turn| turn.inverse() * vector);
         for (unknown, value) in self.unknowns.iter().zip(&own) {

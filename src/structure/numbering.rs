@@ -1,8 +1,8 @@
-//! The order of what rods share: rods that meet are numbered close together, so that the border's band is narrow.
+//! Numbering of what rods share: connected rods get close numbers, so that the border's band is narrow.
 
 use std::collections::VecDeque;
 
-/// An order of the shared things 0 … `count` − 1, of which each rod touches those listed for it.
+/// Order of the shared items 0 … `count` − 1; `touches` lists the items of each rod.
 pub(super) fn order(count: usize, touches: &[Vec<usize>]) -> Vec<usize> {
     let mut order = Vec::with_capacity(count);
     let mut done = vec![false; count];
@@ -16,8 +16,8 @@ pub(super) fn order(count: usize, touches: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// The rods in the order of their distance from one at the structure's edge (Cuthill and McKee 1969): the band is
-/// then as wide as the structure is across, however long it is.
+/// Rods in order of distance from one at the structure's edge (Cuthill and McKee 1969). The band is then as wide as the
+/// structure is across, however long it is.
 pub(super) fn outwards(count: usize, touches: &[Vec<usize>]) -> Vec<usize> {
     let mut meeting = vec![Vec::new(); count];
     for (rod, its) in touches.iter().enumerate() {
@@ -36,7 +36,7 @@ pub(super) fn outwards(count: usize, touches: &[Vec<usize>]) -> Vec<usize> {
     order
 }
 
-/// The rods connected with `first`, the nearest first; they are `done` then.
+/// Rods connected with `first`, nearest first; marks them `done`.
 fn outwards_from(first: usize, touches: &[Vec<usize>], meeting: &[Vec<usize>], done: &mut [bool]) -> Vec<usize> {
     let mut order = Vec::new();
     let mut queue = VecDeque::from([first]);

@@ -1,4 +1,4 @@
-//! What can be read of a structure: positions, nodal coordinates, reactions, deflections.
+//! Readings of a structure: positions, nodal coordinates, reactions, deflections.
 
 use nalgebra::{DVector, Vector2};
 
@@ -10,7 +10,7 @@ use crate::elements::Meaning;
 use crate::error::{Error, Result};
 use crate::model::nearest;
 
-/// What acts at an instant.
+/// State of a structure at an instant, for forces.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant<'a> {
     /// Displacement.
@@ -19,20 +19,20 @@ pub struct Instant<'a> {
     pub a: &'a DVector<f64>,
     /// Time, s; the load factor in statics.
     pub t: f64,
-    /// λ in their places; read in the multipliers' form only.
+    /// Multipliers λ in their entries; read only in the form with multipliers.
     pub multipliers: &'a DVector<f64>,
 }
 
-/// A point of a structure, found by [`Structure::point`].
+/// Point of a structure, found by [`Structure::point`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PointId(usize);
 
-/// A rod of a structure, found by [`Structure::rod`].
+/// Rod of a structure, found by [`Structure::rod`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RodId(usize);
 
 impl Structure {
-    /// The point of that name.
+    /// Finds a point by name.
     ///
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
@@ -41,7 +41,7 @@ impl Structure {
         known().position(|known| known == name).map(PointId).ok_or_else(|| unknown("point", name, known()))
     }
 
-    /// The rod of that name.
+    /// Finds a rod by name.
     ///
     /// # Errors
     /// [`Error::Unknown`] with the nearest name.
@@ -57,19 +57,20 @@ impl Structure {
         [start[0] + x, start[1] + y]
     }
 
-    /// A point's entries of a vector of unknowns, such as its velocity; zero where it is held.
+    /// Entries of a point in a vector of unknowns, such as its velocity; zero where held.
     pub fn at_point(&self, point: PointId, vector: &DVector<f64>) -> [f64; 2] {
         self.components(point).get(vector).into()
     }
 
-    /// The point's position among the unknowns: that of the first rod there.
+    /// Unknowns of a point: those of the first rod there.
     pub(super) fn components(&self, point: PointId) -> NodeDofs {
         let Node { rod, position, .. } = self.points[point.0].1.nodes[0];
         self.rods[rod].chain[position]
     }
 
-    /// Nodal coordinates of a rod at the displacement `u`, vector by vector from its beginning: r, r_y, then r_j, r_xj, r_yj, r_k,
-    /// r_yk for each element of the paper, or r, r_x, then r_k, r_xk. Positions in m, slopes without unit.
+    /// Nodal coordinates of a rod at the displacement `u`, vector by vector from its first node: r, r_y, then r_j,
+    /// r_xj, r_yj, r_k, r_yk for each of the paper's elements; or r, r_x, then r_k, r_xk for each Euler–Bernoulli
+    /// element. Positions in m, slopes without unit.
     pub fn nodal_coordinates(&self, rod: RodId, u: &DVector<f64>) -> Vec<[f64; 2]> {
         let rod = &self.rods[rod.0];
         let t = rod.along.normalize();
@@ -81,17 +82,18 @@ impl Structure {
         rod.chain.iter().enumerate().map(|(n, vector)| (initial(rod.nodal(n)) + vector.get(u)).into()).collect()
     }
 
-    /// Unknown of a component (0: x, 1: y) of a nodal vector of a rod, by its place in the rod's order: r, r_y, then r_j,
-    /// r_xj, r_yj, r_k, r_yk for each element, or r, r_x, then r_k, r_xk; `None` where it is held, or there is no such rod or vector.
+    /// Unknown of a component (0: x, 1: y) of a rod's nodal vector, by its index in the order of
+    /// [`nodal_coordinates`](Structure::nodal_coordinates). `None` if it is held, or if there is no such rod or vector.
     pub fn unknown(&self, rod: &str, vector: usize, component: usize) -> Option<usize> {
         let rod = self.rods.iter().find(|known| known.name == rod)?;
         rod.chain.get(vector)?.unknowns.get(component).copied()?
     }
 
-    /// Distance of a rod's axis, at a fraction of its length, from the chord through its ends, m; positive to the left.
+    /// Deflection of a rod, m: distance of its axis, at a fraction of its length, from the chord through its ends;
+    /// positive to the left.
     ///
-    /// With the chord c and the displacements δ there and Δ of the end, both from that of the beginning, the distance is
-    /// c × (δ − fraction · Δ)/|c|: no difference of large numbers for a small deflection.
+    /// With the chord c, and the displacements δ there and Δ of the end, both relative to the first point, it is c × (δ
+    /// − fraction · Δ)/|c|. A small deflection is not a difference of large numbers.
     pub fn deflection(&self, rod: RodId, fraction: f64, u: &DVector<f64>) -> f64 {
         let rod = &self.rods[rod.0];
         let axis = rod.mesh.axis(fraction * rod.elements as f64, u);
@@ -107,8 +109,8 @@ impl Structure {
         (on_rods.sum::<Vector2<f64>>() - point_force).into()
     }
 
-    /// All that acts on one rod at a point but for its weight, N: other rods, supports and point forces, which the point's
-    /// first rod takes in the multipliers' form. Zero where the rod does not meet the point.
+    /// Force on one rod at a point, without its weight, N: of other rods, supports and point forces. With multipliers a
+    /// point force acts on the point's first rod. Zero where the rod does not meet the point.
     pub fn force_on_rod(&self, point: PointId, rod: RodId, now: Instant) -> [f64; 2] {
         let nodes = &self.points[point.0].1.nodes;
         let Some(node) = nodes.iter().find(|node| node.rod == rod.0) else { return [0.0; 2] };
@@ -117,7 +119,7 @@ impl Structure {
         (self.node_force(*node, now) + point_force).into()
     }
 
-    /// Force of what the point's rod is held by there: −Φ_qᵀ λ where there are multipliers, M a + Q_e − Q_w otherwise.
+    /// Force that a rod's node receives from its constraints: −Φ_qᵀ λ with multipliers, M a + Q_e − Q_w otherwise.
     fn node_force(&self, node: Node, now: Instant) -> Vector2<f64> {
         let rod = &self.rods[node.rod];
         if !self.rows.is_empty() {

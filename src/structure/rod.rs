@@ -1,4 +1,4 @@
-//! A rod of equal elements: its nodal vectors among the unknowns, its elements, its heat.
+//! Rod of equal elements: its nodal vectors among the unknowns, its elements, its heat.
 
 use std::fmt::Debug;
 
@@ -16,20 +16,20 @@ use crate::equations::{cable, inertia};
 use crate::model::plan::Plan;
 use crate::model::{self, Form, Scene, Temperature, ThermalModel};
 
-/// A rod with what all of its elements share.
+/// Rod, with what all of its elements share.
 #[derive(Debug)]
 pub(super) struct Rod {
     pub name: String,
     pub elements: usize,
-    /// Initial position of its beginning, m.
+    /// Initial position of its first point, m.
     pub from: Vector2<f64>,
-    /// From node i to node k of an element, m.
+    /// Vector from node i to node k of an element, m.
     pub along: Vector2<f64>,
     /// Height of the section, m.
     pub height: f64,
     pub mesh: Box<dyn RodElements>,
     pub heat: Option<Heat>,
-    /// Its nodal vectors: node i's of the first element, then the others of each element.
+    /// Nodal vectors: those of node i of the first element, then the further ones of each element.
     pub chain: Vec<NodeDofs>,
 }
 
@@ -40,7 +40,7 @@ pub(super) struct Heat {
 }
 
 impl Rod {
-    /// A rod by itself; its unknowns are not numbered yet.
+    /// Rod by itself; its unknowns are not numbered yet.
     pub fn new(scene: &Scene, rod: &model::Rod, plan: &Plan) -> Rod {
         let from = Vector2::from(scene.points[&rod.from]);
         let along = (Vector2::from(scene.points[&rod.to]) - from) / rod.elements as f64;
@@ -60,7 +60,7 @@ impl Rod {
         }
     }
 
-    /// Nodal vectors from an element to the next: two are those of the node that they share.
+    /// Number of nodal vectors from an element to the next: they share the two of a node.
     pub fn stride(&self) -> usize {
         self.mesh.vectors().len() - 2
     }
@@ -76,26 +76,26 @@ impl Rod {
         }
     }
 
-    /// An element's nodal vectors.
+    /// Nodal vectors of an element.
     pub fn vectors(&self, element: usize) -> &[NodeDofs] {
         &self.chain[self.stride() * element..][..self.mesh.vectors().len()]
     }
 
-    /// What a vector of the chain is, and how many elements from the rod's beginning.
+    /// Meaning of a vector of the chain, and its distance from the rod's first point, in elements.
     pub fn nodal(&self, vector: usize) -> NodalVector {
         let element = (vector / self.stride()).min(self.elements - 1);
         let (meaning, at) = self.mesh.vectors()[vector - self.stride() * element];
         (meaning, element as f64 + at)
     }
 
-    /// Places in the chain of the position and of the slope that turns with the section, r_y or else r_x, of a node that
-    /// is `place` elements from the beginning.
+    /// Indices in the chain of a node's position and of the slope that turns with its section, r_y or else r_x; the
+    /// node is `place` elements from the first point.
     pub fn node(&self, place: f64) -> Option<(usize, usize)> {
         let find = |wanted| (0..self.chain.len()).find(|&vector| self.nodal(vector) == (wanted, place));
         Some((find(Meaning::Position)?, find(Meaning::SlopeY).or_else(|| find(Meaning::SlopeX))?))
     }
 
-    /// What the unknowns of a vector of the chain measure.
+    /// Kind of a chain vector's unknowns.
     pub fn kind(&self, vector: usize) -> UnknownKind {
         match self.nodal(vector).0 {
             Meaning::Position => UnknownKind::Position,
@@ -105,7 +105,7 @@ impl Rod {
     }
 }
 
-/// FrontalChain of the paper.
+/// The paper's elements of a rod.
 fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let lame = lame(material);
@@ -120,7 +120,7 @@ fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Bo
     }
 }
 
-/// UniformElements elements of the paper, in one form or the other.
+/// Elements of the paper, all equal, in the consistent or the printed form.
 fn equal<B: Beam<14> + Debug + Send + Sync + 'static>(
     beam: B,
     scene: &Scene,
@@ -146,7 +146,7 @@ fn lame(material: &model::Material) -> LameConstants {
     YoungPoisson { E: material.youngs_modulus, nu: material.nu }.into()
 }
 
-/// FrontalChain of the paper's competitor.
+/// Euler–Bernoulli elements of a rod.
 fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let area = section.height * section.width;
@@ -158,7 +158,7 @@ fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>) -> Box<
         along,
         mass: cable::M(material.rho * area, l),
         gravity: cable::Q_w_gravity(&Vector2::from(scene.gravity), material.rho * area, l),
-        // An end moved across by l bends an element as well: more than its tension where it is higher than long.
+        // Moving an end across by l also bends an element, with more force than its tension if it is higher than long.
         unit_force: tension + 12.0 * bending / (l * l),
         places: Vec::new(),
     })

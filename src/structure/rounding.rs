@@ -1,8 +1,10 @@
-//! What rounding errors of the elastic forces amount to.
+//! Effect of rounding errors of the elastic forces.
 //!
-//! A strain is made of differences of u over an element's length l, of slopes and of the thermal strain: it carries ε_mach times the
-//! largest of |u|/l, |slope| and |ε_T| ([`Beam::ROUNDING_SCALE`](crate::elements::Beam::ROUNDING_SCALE) at least), which a stiff rod makes a force. Where that is no longer small beside the loads a motion follows the rounding; in statics a slender rod turns it
-//! into a displacement.
+//! A strain is made of differences of u over the element length l, of slopes, and of the thermal strain. It carries an
+//! error of ε_mach times the largest of |u|/l, |slope| and |ε_T| (at least
+//! [`Beam::ROUNDING_SCALE`](crate::elements::Beam::ROUNDING_SCALE)), which a stiff rod turns into a force. Where that force is no
+//! longer small compared with the loads, a motion follows the rounding; in statics a slender rod turns it into a
+//! displacement.
 
 use nalgebra::DVector;
 
@@ -11,8 +13,8 @@ use super::{Matrix, Structure};
 use crate::elements::ThermalStrain;
 
 impl Structure {
-    /// Whether no entry of a residual at `u` and the rods' thermal strains is above `times` the rounding error of the elastic
-    /// forces: that of a strain, of the force of a unit strain.
+    /// Whether every entry of a residual, at `u` and the rods' thermal strains, is within `times` the rounding error of
+    /// the elastic forces: the rounding error of a strain times the force of a unit strain.
     pub fn within_rounding(
         &self,
         residual: &DVector<f64>,
@@ -26,19 +28,20 @@ impl Structure {
         entries.all(|((value, unit), kind)| *kind == UnknownKind::Multiplier || value.abs() <= floor * unit)
     }
 
-    /// Rounding error of an energy, J: ε_mach times the strain energy of a strain of 1.
+    /// Rounding error of an energy, J: ε_mach times the strain energy of a unit strain.
     pub fn energy_rounding(&self) -> f64 {
         let length: f64 = self.rods.iter().map(|rod| rod.elements as f64 * rod.along.norm()).sum();
         f64::EPSILON * length * self.largest_unit_force()
     }
 
-    /// The largest force that rounding of the strains at `u` may cause, N.
+    /// Largest force that rounding of the strains at `u` may cause, N.
     pub fn rounding_force(&self, u: &DVector<f64>) -> f64 {
         self.largest_unit_force() * self.rounding_strain(u, 0.0)
     }
 
-    /// How far rounding of the strains may move an equilibrium, of how far it is from the start, or of what heat would stretch an
-    /// element; for errors of one sign, and of signs that hardly repeat. `None` where nothing moves, or the tangent is singular.
+    /// Displacement of an equilibrium by rounding of the strains, relative to its displacement from the start or to an
+    /// element's thermal stretch. The larger one of two patterns of errors: of one sign, and of signs that hardly
+    /// repeat. `None` where nothing moves, or the tangent is singular.
     pub fn rounding_of_equilibrium(&self, u: &DVector<f64>, t: f64) -> Option<f64> {
         let (thermal, mut factors) = (self.thermal_strains(t), self.factors());
         let tangent = Matrix::Tangent { u, thermal: &thermal, stiffness: 1.0, mass: 0.0 };
@@ -50,7 +53,7 @@ impl Structure {
             factors.solve(&mut moved);
             self.farthest(&moved)
         };
-        // Elimination along a rod adds errors of one sign up, and those of changing signs act on what is short.
+        // Elimination along a rod sums errors of one sign; errors of changing sign act on short elements.
         let farthest = moved(&|_| 1.0).max(moved(&|n| (1.7 * n as f64 * n as f64).sin().signum()));
         let far = self.farthest(u).max(hottest * self.shortest);
         (far > 0.0).then(|| farthest / far)
@@ -61,12 +64,13 @@ impl Structure {
         positions.map(|(force, _)| *force).fold(0.0, f64::max)
     }
 
-    /// ε_mach times the largest of |u|/l, of the slopes' changes and of the thermal strain `hottest`.
+    /// Rounding error of a strain: ε_mach times the largest of |u|/l, the slopes' changes and the thermal strain
+    /// `hottest`.
     fn rounding_strain(&self, u: &DVector<f64>, hottest: f64) -> f64 {
         let size = |(u, kind): (&f64, &UnknownKind)| match kind {
             UnknownKind::Position => u.abs() / self.shortest,
             UnknownKind::Slope(_) => u.abs(),
-            // During an iteration λ stands in its place: newtons, no strain.
+            // During an iteration this entry is λ: a force, not a strain.
             UnknownKind::Multiplier => 0.0,
         };
         f64::EPSILON * u.iter().zip(&self.kinds).map(size).fold(hottest.max(self.rounded), f64::max)

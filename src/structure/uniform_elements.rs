@@ -1,5 +1,5 @@
-//! A rod's elements, all equal. The rod's chain of nodal vectors ([`NodeDofs`]) says which unknowns each has, and is looked at
-//! once, when these are numbered.
+//! Elements of a rod, all equal. Their unknowns are read from the rod's chain of nodal vectors ([`NodeDofs`]) once,
+//! when they are numbered.
 
 use std::fmt::Debug;
 
@@ -11,24 +11,24 @@ use super::rod_elements::{ElementMatrix, Loaded, RodElements};
 use crate::elements::{Beam, Ends, LANES, NodalVector, ThermalStrain};
 use crate::linear::{Chain, Filling, FrontalChain, NONE};
 
-/// UniformElements elements of one kind with `N` nodal coordinates.
+/// Equal elements of one type with `N` nodal coordinates each.
 #[derive(Clone, Debug)]
 pub(super) struct UniformElements<B, const N: usize> {
     pub beam: B,
-    /// From node i to node k of an element, m.
+    /// Vector from node i to node k of an element, m.
     pub along: Vector2<f64>,
     pub mass: SMatrix<f64, N, N>,
     pub gravity: SVector<f64, N>,
     pub unit_force: f64,
-    /// There once unknowns are numbered.
+    /// Unknowns of the elements; empty until they are numbered.
     pub places: Vec<ElementDofs<N>>,
 }
 
 impl<B: Beam<N>, const N: usize> UniformElements<B, N> {
-    /// Nodal vectors from an element to the next.
+    /// Number of nodal vectors from an element to the next.
     const STRIDE: usize = N / 2 - 2;
 
-    /// An element's displacement under stretches less 1, node i at rest.
+    /// Displacement of an element under stretches minus 1, node i at rest.
     fn stretched(&self, stretch: [f64; 2]) -> SVector<f64, N> {
         let mut u = SVector::<f64, N>::zeros();
         for (n, &vector) in B::VECTORS.iter().enumerate() {
@@ -37,7 +37,7 @@ impl<B: Beam<N>, const N: usize> UniformElements<B, N> {
         u
     }
 
-    /// An element's matrix, by columns.
+    /// Matrix of an element, by columns.
     fn element_matrix(&self, place: &ElementDofs<N>, matrix: &ElementMatrix, columns: &mut [f64]) {
         let mut put = |stiffness: f64, tangent: &SMatrix<f64, N, N>, mass: f64| {
             for ((entry, tangent), own) in columns.iter_mut().zip(tangent.as_slice()).zip(self.mass.as_slice()) {
@@ -65,7 +65,7 @@ impl<B: Beam<N>, const N: usize> UniformElements<B, N> {
         }
     }
 
-    /// M a. The matrix treats x and y alike, and couples neither with the other: half of it is zero.
+    /// Product M a. The matrix is the same for x and y and does not couple them: half of it is zero.
     #[inline(always)]
     fn momentum(&self, a: &SVector<f64, N>) -> SVector<f64, N> {
         let (mut sum, a) = (SVector::<f64, N>::zeros(), a.as_slice().as_chunks::<2>().0);
@@ -202,7 +202,7 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
     fn largest_square_frequency(&self, stretch: [f64; 2], eps_t: ThermalStrain) -> f64 {
         let size = |matrix: &SMatrix<f64, N, N>| nalgebra::DMatrix::from_column_slice(N, N, matrix.as_slice());
         let (stiffness, mass) = (size(&self.beam.tangent(&self.stretched(stretch), eps_t)), size(&self.mass));
-        // With M = L Lᵀ the largest eigenvalue of L⁻¹ K L⁻ᵀ.
+        // With M = L Lᵀ this is the largest eigenvalue of L⁻¹ K L⁻ᵀ.
         let reduced = mass.cholesky().and_then(|cholesky| {
             let lower = cholesky.l();
             let half = lower.solve_lower_triangular(&stiffness)?;
@@ -225,8 +225,8 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
     }
 }
 
-/// What a nodal vector changes by under stretches less 1 (along, across) of an element that spans `along`, its node i at
-/// `origin` from the fixed point.
+/// Change of a nodal vector under stretches minus 1 (along, across); the element spans `along`, and its node i is at
+/// `origin` relative to the fixed point.
 pub(super) fn stretched(
     (meaning, at): NodalVector,
     [stretch, thicken]: [f64; 2],

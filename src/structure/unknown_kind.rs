@@ -1,17 +1,17 @@
-//! What an unknown measures.
+//! Kinds of unknowns.
 
-/// What one unknown measures; its force is compared with others as a force over this length.
+/// Kind of an unknown, which determines how its force is compared with others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum UnknownKind {
     Position,
-    /// A slope, with the length (m) over which its moment acts: h for r_y, l for r_x.
+    /// Slope, with the length (m) over which its moment acts: h for r_y, l for r_x.
     Slope(f64),
-    /// One of λ.
+    /// Lagrange multiplier λ.
     Multiplier,
 }
 
 impl UnknownKind {
-    /// One over the length over which a force on the unknown is judged; 0 for multipliers.
+    /// Reciprocal length that converts a force on the unknown to newtons; 0 for multipliers.
     pub fn weight(&self) -> f64 {
         match self {
             UnknownKind::Position => 1.0,

@@ -1,4 +1,4 @@
-//! Which unknown each coordinate is: a rod's own, then what rods share or the multipliers.
+//! Numbering of the unknowns: each rod's own, then the shared ones or the multipliers.
 
 use std::collections::BTreeMap;
 
@@ -14,14 +14,14 @@ use super::unknown_kind::UnknownKind;
 use crate::linear::{BlockLayout, Layout};
 use crate::model::Scene;
 
-/// The unknowns' order and what they measure.
+/// Order and kinds of the unknowns.
 pub(super) struct Numbering {
     pub layout: Layout,
     pub kinds: Vec<UnknownKind>,
     pub rows: Vec<ConstraintRow>,
 }
 
-/// Numbers the unknowns that are a rod's own, all but those of the `shared` vectors of its chain.
+/// Numbers each rod's own unknowns: all but those of the `shared` vectors of its chain.
 fn number_own(rods: &mut [Rod], shared: impl Fn(usize, usize) -> bool, held: &Held) -> Numbering {
     let (mut layout, mut kinds) = (Layout::default(), Vec::new());
     for (n, rod) in rods.iter_mut().enumerate() {
@@ -36,7 +36,8 @@ fn number_own(rods: &mut [Rod], shared: impl Fn(usize, usize) -> bool, held: &He
     Numbering { layout, kinds, rows: Vec::new() }
 }
 
-/// Rods share the positions of points where several of them meet; what is held has no unknown.
+/// Numbers the unknowns of the condensed form: rods that meet at a point share its position, held components have no
+/// unknown.
 pub(super) fn condensed(scene: &Scene, points: &BTreeMap<String, Point>, rods: &mut [Rod]) -> Numbering {
     let held = Held::of(scene, points);
     let shared: Vec<&Point> = points.values().filter(|point| point.nodes.len() > 1).collect();
@@ -58,7 +59,8 @@ pub(super) fn condensed(scene: &Scene, points: &BTreeMap<String, Point>, rods: &
     numbering.finish()
 }
 
-/// Every rod has all of its unknowns; the border is made of multipliers.
+/// Numbers the unknowns of the form with multipliers: every rod has all of its own, and the border holds the
+/// multipliers.
 pub(super) fn with_multipliers(rows: Vec<Row>, rods: &mut [Rod]) -> Numbering {
     let mut numbering = number_own(rods, |_, _| false, &Held::default());
     let mut touches = vec![Vec::new(); rods.len()];
@@ -82,7 +84,7 @@ pub(super) fn with_multipliers(rows: Vec<Row>, rods: &mut [Rod]) -> Numbering {
 }
 
 impl Numbering {
-    /// Size and band of the border, once all of it is numbered.
+    /// Sets size and band of the border, once all unknowns are numbered.
     fn finish(mut self) -> Numbering {
         self.layout.border_size = self.kinds.len() - self.layout.border;
         for block in &mut self.layout.blocks {
@@ -95,7 +97,7 @@ impl Numbering {
     }
 }
 
-/// What supports hold of nodal vectors, by rod and place in its chain: one direction, or both.
+/// Directions in which supports hold nodal vectors, by rod and index in its chain: one, or both.
 #[derive(Default)]
 struct Held(BTreeMap<(usize, usize), Vec<Vector2<f64>>>);
 
@@ -113,8 +115,7 @@ impl Held {
         Held(held)
     }
 
-    /// New unknowns for the components of a nodal vector that are not held; in axes of its own where one oblique
-    /// direction is held.
+    /// New unknowns for the free components of a nodal vector; its axes are rotated if one oblique direction is held.
     fn components(&self, rod: usize, vector: usize, kind: UnknownKind, kinds: &mut Vec<UnknownKind>) -> NodeDofs {
         let directions = self.0.get(&(rod, vector)).map_or(&[][..], Vec::as_slice);
         let (held, turn) = match directions {
@@ -134,7 +135,7 @@ impl Held {
     }
 }
 
-/// How far apart an element's own unknowns, those from `first` on, are numbered. Shared ones have no number yet.
+/// Range of the numbers of an element's own unknowns, those from `first` on. Shared ones have no number yet.
 fn spread(vectors: &[NodeDofs], first: usize) -> usize {
     let numbers = || vectors.iter().flat_map(|vector| vector.unknowns).flatten().filter(|&unknown| unknown >= first);
     numbers().max().zip(numbers().min()).map_or(0, |(last, first)| last - first)

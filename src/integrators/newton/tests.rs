@@ -1,14 +1,14 @@
-//! The iteration on one equation in one unknown: x + x³ = load.
+//! Newton's iteration on one equation with one unknown: x + x³ = load.
 
 use super::*;
 
-/// The equation with what the iteration did to it.
+/// The equation, with a record of what the iteration did.
 struct Cubic {
     x: f64,
     load: f64,
     slope: f64,
     improvement: f64,
-    /// Where matrices were made.
+    /// Iterates at which matrices were made.
     matrices: Vec<f64>,
     undone: usize,
 }
@@ -45,7 +45,7 @@ impl Equations for Cubic {
     }
 }
 
-/// Solves from `x` for `load` and gives the equation back; the slope of the last matrix is kept in `slope`.
+/// Solves from `x` for `load` and returns the equation; `slope` carries the last matrix from call to call.
 fn solve(newton: &mut Newton, slope: &mut f64, x: f64, load: f64) -> Cubic {
     let mut equation = Cubic { x, load, slope: *slope, improvement: 0.0, matrices: Vec::new(), undone: 0 };
     let mut counts = Counts::default();
@@ -57,7 +57,7 @@ fn solve(newton: &mut Newton, slope: &mut f64, x: f64, load: f64) -> Cubic {
     equation
 }
 
-/// A matrix serves again where the residual shrinks fast with it.
+/// A matrix is reused where the residual shrinks fast with it.
 #[test]
 fn a_good_matrix_is_kept() {
     let (mut newton, mut slope) = (Newton::new(1e-12), f64::NAN);
@@ -71,8 +71,9 @@ fn a_good_matrix_is_kept() {
     assert_eq!(solve(&mut always, &mut slope, 1e-6, 2e-6).matrices.len(), 2);
 }
 
-/// One of x = 0 throws the iterate from 10 to −490: it goes back, and the next matrix is made where it was; as plain Newton goes on
-/// from there. The next nine steps begin with a matrix of their own, the tenth with that of the step before.
+/// A reused matrix of x = 0 throws the iterate from 10 to −490. It goes back, and the next matrix is made where it was,
+/// after which it proceeds as plain Newton. The next nine steps begin with a matrix of their own, the tenth with that
+/// of the step before.
 #[test]
 fn a_bad_matrix_is_taken_back() {
     let (mut newton, mut slope) = (Newton::new(1e-12), f64::NAN);

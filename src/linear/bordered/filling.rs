@@ -1,11 +1,11 @@
-//! A block that is being filled.
+//! Access to one block of a bordered matrix, for adding entries.
 
 use nalgebra::SMatrix;
 
 use super::Block;
 use crate::linear::{BandMatrix, BlockLayout};
 
-/// A block that is being filled, and its share of the corner.
+/// One block of a bordered matrix with the shared corner, for adding entries.
 pub struct Filling<'a> {
     pub(super) border: usize,
     pub(super) place: &'a BlockLayout,
@@ -13,12 +13,12 @@ pub struct Filling<'a> {
     pub(super) corner: &'a mut BandMatrix,
 }
 
-/// Where an unknown stands as seen from a block.
+/// Location of an unknown relative to a block.
 #[derive(Clone, Copy)]
 enum Seen {
-    /// Among its own.
+    /// Index among the block's own unknowns.
     Own(usize),
-    /// In the border, and among those that the block touches.
+    /// Index in the border, and index among the border unknowns that the block touches.
     Border { place: usize, touch: usize },
 }
 
@@ -34,12 +34,12 @@ impl Filling<'_> {
         }
     }
 
-    /// Adds `value` at (row, column), both of them unknowns of the block or of the border that it touches.
+    /// Adds `value` at (row, column), both unknowns of the block or of the border that it touches.
     pub fn add(&mut self, row: usize, column: usize, value: f64) {
         self.add_seen(self.seen(row), self.seen(column), value);
     }
 
-    /// Adds a dense matrix whose rows and columns are these unknowns of the block or of its border; `None` is left out.
+    /// Adds a dense matrix whose rows and columns are these unknowns of the block or its border; `None` is skipped.
     pub fn add_dense<const N: usize>(&mut self, unknowns: [Option<usize>; N], dense: &SMatrix<f64, N, N>) {
         let seen = unknowns.map(|unknown| unknown.map(|unknown| self.seen(unknown)));
         for (j, column) in seen.iter().enumerate() {

@@ -1,11 +1,11 @@
-//! How many eigenvalues of a symmetric matrix are negative, by L D Lᵀ (Sylvester's law of inertia).
+//! Number of negative eigenvalues of a symmetric matrix, by L D Lᵀ (Sylvester's law of inertia).
 
 use super::{Block, Bordered};
 use crate::linear::{BandMatrix, BlockLayout};
 
 impl Bordered {
-    /// The number of negative eigenvalues of this matrix, which has to be symmetric; `None` where elimination without a change of rows
-    /// comes to a pivot of zero, or one that is not a number.
+    /// Number of negative eigenvalues of this matrix, which must be symmetric. `None` where elimination without row
+    /// swaps meets a pivot that is zero or not a number.
     pub fn negative_eigenvalues(&self) -> Option<usize> {
         let mut corner = self.corner.clone();
         let mut negative = 0;
@@ -18,7 +18,7 @@ impl Bordered {
 }
 
 impl Block {
-    /// Eliminates the block's own unknowns: the number of negative pivots; what is left of the border is added to the corner.
+    /// Eliminates the block's own unknowns and adds the remainder to the corner; returns the number of negative pivots.
     fn eliminate(&self, place: &BlockLayout, border: usize, corner: &mut BandMatrix) -> Option<usize> {
         let mut sides: Vec<Vec<f64>> =
             self.right.column_iter().map(|column| column.iter().copied().collect()).collect();
@@ -33,7 +33,7 @@ impl Block {
     }
 }
 
-/// L D Lᵀ: the number of negative pivots, and the pivots; `sides` becomes L⁻¹ of itself.
+/// Factorises L D Lᵀ and replaces `sides` by L⁻¹ `sides`; returns the number of negative pivots, and the pivots.
 fn factorize(matrix: &BandMatrix, size: usize, band: usize, sides: &mut [Vec<f64>]) -> Option<(usize, Vec<f64>)> {
     // Row i of L, from column i − band on.
     let mut lower: Vec<Vec<f64>> = Vec::with_capacity(size);

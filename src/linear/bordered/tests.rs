@@ -1,9 +1,9 @@
-//! Bordered matrices against dense ones.
+//! Bordered matrices compared with dense ones.
 
 use super::*;
 use proptest::prelude::*;
 
-/// Blocks of up to eight unknowns, none among them, that touch up to five unknowns of the border, or nothing.
+/// Blocks of up to eight unknowns, or none, each touching up to five unknowns of the border, or none.
 fn layouts() -> impl Strategy<Value = Layout> {
     let block = (0usize..9, 0usize..4, prop::collection::btree_set(0usize..5, 0..5));
     (prop::collection::vec(block, 1..6), 0usize..6).prop_map(|(sizes, border_size)| {
@@ -25,7 +25,7 @@ fn layouts() -> impl Strategy<Value = Layout> {
     })
 }
 
-/// Places (block, row, column) where a matrix of this layout may have entries; those of the border once for each block
+/// Entries (block, row, column) where a matrix of this layout may be nonzero; those of the border once for each block
 /// that touches them.
 fn places(layout: &Layout) -> Vec<(usize, usize, usize)> {
     let mut places = Vec::new();
@@ -37,12 +37,12 @@ fn places(layout: &Layout) -> Vec<(usize, usize, usize)> {
         };
         places.extend(seen().flat_map(|row| seen().map(move |column| (n, row, column))).filter(|p| holds(p.1, p.2)));
     }
-    // The border's diagonal as well, which no block may touch.
+    // The border's diagonal too, which no block may touch.
     places.extend((layout.border..layout.size()).map(|unknown| (0, unknown, unknown)));
     places
 }
 
-/// The same numbers in their places of a bordered and a dense matrix, `more` on the diagonal.
+/// Equal entries in a bordered and a dense matrix, `more` added on the diagonal.
 fn bordered_and_dense(layout: Layout, values: &[f64], more: f64) -> (Bordered, DMatrix<f64>) {
     let layout = Arc::new(layout);
     let (mut bordered, mut dense) = (Bordered::zeros(&layout), DMatrix::zeros(layout.size(), layout.size()));
@@ -58,8 +58,8 @@ fn values() -> impl Strategy<Value = Vec<f64>> {
     prop::collection::vec(-1.0..1.0, 997)
 }
 
-/// Whether every block of its own, and the whole, has a reciprocal condition number above `least`; blocks are eliminated on
-/// their own.
+/// Whether each block, and the whole matrix, has a reciprocal condition number above `least`: blocks are eliminated
+/// separately.
 fn well_conditioned(layout: &Layout, dense: &DMatrix<f64>, least: f64) -> bool {
     let blocks = layout.blocks.iter().map(|block| {
         dense.view_range(block.first..block.first + block.size, block.first..block.first + block.size).into_owned()
@@ -70,7 +70,7 @@ fn well_conditioned(layout: &Layout, dense: &DMatrix<f64>, least: f64) -> bool {
     })
 }
 
-/// Largest residual of a row relative to the sum of its terms' sizes.
+/// Largest residual of a row, relative to the sum of its terms' magnitudes.
 fn residual(matrix: &DMatrix<f64>, x: &DVector<f64>, b: &DVector<f64>) -> f64 {
     let sizes = matrix.abs() * x.abs() + b.abs();
     (matrix * x - b)
@@ -120,7 +120,7 @@ proptest! {
         let mut solution = b.clone();
         bordered.equilibrated_lu().unwrap().solve(&mut solution);
         prop_assert!(solution.iter().zip(&x).all(|(a, b)| (a - b).abs() <= 1e-8 * b.abs()), "{solution} is not {x}");
-        // Row by row; the worst of 40000 cases was 2e-10, as blocks are eliminated by themselves.
+        // Row by row; the worst of 40000 cases was 2e-10, since blocks are eliminated separately.
         prop_assert!(residual(&scaled, &solution, &b) <= 1e-9, "{}", residual(&scaled, &solution, &b));
     }
 
@@ -151,7 +151,7 @@ proptest! {
     }
 }
 
-/// Two blocks of one unknown, [1] and [2], that touch a border [3] with ones.
+/// Two blocks of one unknown, [1] and [2], coupled to a border [3] by ones.
 fn small(corner: f64) -> Bordered {
     let block = |first| BlockLayout { first, size: 1, band: 0, touches: vec![2] };
     let layout = Layout { blocks: vec![block(0), block(1)], border: 2, border_size: 1, border_band: 0 };
@@ -167,7 +167,7 @@ fn small(corner: f64) -> Bordered {
 
 #[test]
 fn a_corner_that_blocks_use_up_is_singular() {
-    // 1/1 + 1/2 is what the blocks take from the corner.
+    // The blocks subtract 1/1 + 1/2 from the corner.
     assert_eq!(small(1.5).lu().unwrap_err(), SingularAt(2));
     assert_eq!(small(f64::NAN).lu().unwrap_err(), SingularAt(2));
     let mut b = DVector::from_vec(vec![2.0, 3.0, 5.0]);
@@ -178,7 +178,7 @@ fn a_corner_that_blocks_use_up_is_singular() {
 #[test]
 fn memory_counts_every_entry() {
     let matrix = small(3.0);
-    // 1 by 1 with no band: one entry for each block and the corner, and a right and a lower one for each block.
+    // One entry for each 1 × 1 block and for the corner, and a right and a lower one for each block.
     assert_eq!(matrix.layout.bytes(), 8 * (3 + 4));
 }
 
@@ -193,7 +193,7 @@ fn scales_are_powers_of_two_that_bring_sizes_below_one() {
 }
 
 proptest! {
-    /// The number of negative eigenvalues against those of the dense matrix, where none is near zero.
+    /// Negative eigenvalues are counted as for the dense matrix, where none is near zero.
     #[test]
     fn negative_eigenvalues_are_counted(layout in layouts(), values in values(), more in -3.0..3.0f64) {
         prop_assume!(layout.size() > 0);

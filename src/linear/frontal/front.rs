@@ -1,31 +1,32 @@
-//! One element's front: its coordinates and the border's beside it, of which those that no later element touches are eliminated.
+//! Front of one element: its coordinates, with the border's beside it. Those that no later element touches are
+//! eliminated.
 
 use super::place::{ElementPlaces, MOST_BORDER_UNKNOWNS, NONE, SHARED};
 use crate::linear::number::Number;
 
-/// The least part of the largest entry that serves as a pivot where it stands: changing rows costs more than the digit that may be
-/// lost with it.
+/// Threshold of partial pivoting: the diagonal is kept if it is at least this fraction of the largest entry. A row swap
+/// costs more than the digit that may be lost.
 const FAIR: f64 = 0.1;
 
-/// What is left of a front.
+/// Factors of a front.
 #[derive(Clone, Debug)]
 pub(super) struct Front<F, const N: usize> {
-    /// Column k: above the diagonal the upper factor, on it the pivot's inverse, below it the multipliers of pivot k.
+    /// Column k: upper factor above the diagonal, reciprocal pivot on it, multipliers of pivot k below it.
     pub lu: [[F; N]; N],
-    /// Row that changed places with row k at step k.
+    /// Row swapped with row k in step k.
     pub swaps: [u8; N],
 }
 
-/// What an unknown of the border adds to a front.
+/// Column and row of one border unknown beside a front.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side<F, const N: usize> {
-    /// Its column in the front's rows.
+    /// Column of the border unknown, in the front's rows.
     pub right: [F; N],
-    /// Its row in the front's columns, divided by the pivots.
+    /// Row of the border unknown, in the front's columns, divided by the pivots.
     pub below: [F; N],
 }
 
-/// What the border adds to the front that is being eliminated, and what is left of it by those before.
+/// Border beside the present front, and the corner that earlier fronts have left.
 pub(super) struct Border<F, const N: usize> {
     pub sides: [Side<F, N>; MOST_BORDER_UNKNOWNS],
     pub corner: [[F; MOST_BORDER_UNKNOWNS]; MOST_BORDER_UNKNOWNS],
@@ -40,7 +41,7 @@ impl<F: Number, const N: usize> Border<F, N> {
         }
     }
 
-    /// Moves what the last node has left to the first one's place.
+    /// Moves the remainder of the last node to the place of the first.
     pub fn advance(&mut self, reached: usize) {
         let shared = |row: &mut [F; N]| {
             row.copy_within(N - SHARED.., 0);
@@ -52,8 +53,8 @@ impl<F: Number, const N: usize> Border<F, N> {
         }
     }
 
-    /// Takes what is not the chain's own out of an element's matrix: a coordinate of the border goes beside the front, and a
-    /// held one away. An equation x = 0 stays in its place.
+    /// Separates the coordinates that are not the chain's own from an element's matrix: a border coordinate moves
+    /// beside the front, a held one is dropped. Either leaves an equation x = 0.
     pub fn separate(&mut self, place: &ElementPlaces<N>, element: &mut [[F; N]; N]) {
         for &(n, touch) in &place.others {
             if let Some(t) = touch {
@@ -90,15 +91,15 @@ impl<F: Number, const N: usize> Border<F, N> {
 }
 
 impl<F: Number, const N: usize> Front<F, N> {
-    /// Adds what the front before has left of the node that both share.
+    /// Adds what the front before has left of the shared node.
     pub fn add_rest(&mut self, before: &Front<F, N>) {
         for (column, rest) in self.lu.iter_mut().zip(&before.lu[N - SHARED..]) {
             column.iter_mut().zip(&rest[N - SHARED..]).for_each(|(entry, rest)| *entry += *rest);
         }
     }
 
-    /// Brings a large entry of column k among the rows that are eliminated here to the diagonal. What is there stays if it is no
-    /// less than a [`FAIR`] part of the largest.
+    /// Swaps a large entry of column k, among the rows eliminated here, to the diagonal. The diagonal stays if it is at
+    /// least a [`FAIR`] fraction of the largest.
     #[inline(always)]
     fn pivot(&mut self, k: usize, pivots: usize, sides: &mut [Side<F, N>]) {
         let (mut row, mut most) = (k, self.lu[k][k].norm1() / FAIR);
@@ -139,7 +140,7 @@ impl<F: Number, const N: usize> Front<F, N> {
     }
 }
 
-/// Takes `factor` · `column` off `from`.
+/// Subtracts `factor` · `column` from `from`.
 #[inline(always)]
 pub(super) fn subtract<F: Number, const N: usize>(factor: F, column: &[F; N], from: &mut [F; N]) {
     for (from, entry) in from.iter_mut().zip(column) {

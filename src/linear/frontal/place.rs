@@ -1,28 +1,28 @@
-//! Where the coordinates of an element of a chain stand.
+//! Location of an element's coordinates among the unknowns of a chain and its border.
 
-/// Coordinates that an element shares with the next: two vectors.
+/// Number of coordinates that an element shares with the next: two vectors.
 pub const SHARED: usize = 4;
 
-/// Most border unknowns of a chain: two components of two ends and of a pivot.
+/// Most border unknowns of a chain: two components of both ends and of a pivot.
 pub const MOST_BORDER_UNKNOWNS: usize = 6;
 
-/// Stands for a coordinate that is no unknown of the chain's own.
+/// Marks a coordinate without an unknown of the chain's own.
 pub const NONE: u32 = u32::MAX;
 
-/// Where an element's coordinates stand.
+/// Unknowns of an element's coordinates.
 #[derive(Clone, Debug)]
 pub struct ElementPlaces<const N: usize> {
-    /// Unknowns of the chain's own, [`NONE`] for others.
+    /// Unknowns of the chain's own; [`NONE`] for the others.
     pub own: [u32; N],
-    /// Those others: the coordinate, and its place among the touched unknowns of the border; held ones have none.
+    /// The other coordinates: each with its index among the touched border unknowns, or `None` if held.
     pub others: Vec<(usize, Option<usize>)>,
-    /// How many of the border's unknowns this element or one before it touches, and where their sides begin.
+    /// Number of border unknowns touched by this element or one before it; below, the index of its first side.
     pub reached: usize,
     pub first_side: usize,
 }
 
 impl<const N: usize> ElementPlaces<N> {
-    /// The place of an element; what it touches and no element before it did is added to `touches`.
+    /// Locates an element's coordinates; border unknowns that it is the first to touch are appended to `touches`.
     pub fn new(unknowns: [u32; N], border: usize, touches: &mut Vec<usize>, first_side: usize) -> ElementPlaces<N> {
         let own = unknowns.map(|unknown| if (unknown as usize) < border { unknown } else { NONE });
         let mut others = Vec::new();

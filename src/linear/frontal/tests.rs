@@ -1,4 +1,4 @@
-//! CondensedFactors of elements, alone and with a border between them, against dense matrices.
+//! Condensed factors of elements, with one chain alone and with a border between two, against dense matrices.
 
 use nalgebra::{Complex, DMatrix, DVector};
 use proptest::prelude::*;
@@ -7,25 +7,25 @@ use proptest::test_runner::TestCaseError;
 use super::*;
 use crate::linear::CondensedFactors;
 
-/// Where the unknowns of one chain and of all stand.
+/// Chains with their held and shared coordinates.
 #[derive(Clone, Debug)]
 struct Shape {
-    /// FrontalChain of each chain; those of one share [`SHARED`] coordinates.
+    /// Number of elements of each chain; neighbours share [`SHARED`] coordinates.
     chains: Vec<usize>,
-    /// Coordinates that are held, and such that are of the border: the chain, the coordinate in it, the border's unknown.
+    /// Held coordinates: chain and coordinate; below, shared ones: chain, coordinate, unknown of the border.
     held: Vec<(usize, usize)>,
     shared: Vec<(usize, usize, usize)>,
     border_size: usize,
 }
 
-/// The unknowns of a shape: for each chain those of its coordinates.
+/// Numbering of a shape: for each chain the unknowns of its coordinates.
 struct Numbers {
     chains: Vec<Vec<u32>>,
     border: usize,
 }
 
 impl Shape {
-    /// Coordinates of a chain of elements with `n`.
+    /// Number of coordinates of a chain whose elements have `n` each.
     fn coordinates(&self, chain: usize, n: usize) -> usize {
         self.chains[chain] * (n - SHARED) + SHARED
     }
@@ -51,7 +51,7 @@ impl Shape {
         Numbers { chains, border }
     }
 
-    /// One chain of each kind: up to six elements, held coordinates anywhere, and without a border.
+    /// One chain without a border: up to six elements, held coordinates anywhere.
     fn alone(n: usize) -> impl Strategy<Value = Shape> {
         (1usize..7).prop_flat_map(move |elements| {
             let coordinates = elements * (n - SHARED) + SHARED;
@@ -64,12 +64,12 @@ impl Shape {
         })
     }
 
-    /// Two chains that share a vector at an end, in the middle, or both, with a coordinate that is held or two.
+    /// Two chains that share a vector at an end, in the middle, or both; possibly with a held coordinate or two.
     fn coupled(n: usize) -> impl Strategy<Value = Shape> {
         let places = prop::collection::vec((0usize..3, 0usize..3), 1..4);
         (1usize..7, 1usize..7, places, any::<bool>()).prop_map(move |(first, second, places, holds)| {
             let mut shape = Shape { chains: vec![first, second], held: vec![], shared: vec![], border_size: 0 };
-            // The first, the middle and the last node's position.
+            // Positions of the first, the middle and the last node.
             let node = |elements: usize, place: usize| match place {
                 0 => 0,
                 1 => (elements / 2) * (n - SHARED) + if elements % 2 == 1 { n / 2 - 1 } else { 0 },
@@ -97,7 +97,7 @@ impl Shape {
     }
 }
 
-/// A number made of two.
+/// Number made of two reals.
 trait FromPair: Number {
     fn from_pair(pair: (f64, f64)) -> Self;
 }
@@ -112,7 +112,7 @@ impl FromPair for Complex<f64> {
     }
 }
 
-/// Matrices of all elements by columns, `more` on their diagonals; and the whole one.
+/// Matrices of all elements by columns, `more` added on their diagonals; and the assembled matrix.
 fn matrices<F: FromPair, const N: usize>(
     shape: &Shape,
     values: &[(f64, f64)],
@@ -163,8 +163,8 @@ fn bits<F: Number>(x: &DVector<F>) -> Vec<u64> {
     x.iter().flat_map(|x| [x.real().to_bits(), x.imaginary().to_bits()]).collect()
 }
 
-/// The solution is the dense one, to 1e-9 of it; with other factors in between it comes out with the same bits again. Matrices
-/// whose fronts are not regular are left out, as pivots are looked for in a front only.
+/// The solution matches the dense one to 1e-9, and refactorising after other factors gives identical bits. Matrices
+/// with singular fronts are excluded, since pivots are searched within a front only.
 fn solves<F: FromPair, const N: usize>(shape: &Shape, values: &[(f64, f64)], more: f64) -> Result<(), TestCaseError> {
     let (elements, whole) = matrices::<F, N>(shape, values, more);
     let size = whole.nrows();
@@ -202,7 +202,7 @@ fn values(seed: u64) -> Vec<(f64, f64)> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// Every row's diagonal outweighs the rest, so that no pivot is small.
+    /// Every row is diagonally dominant, so that no pivot is small.
     #[test]
     fn dominant_matrices_are_solved_like_dense_ones(
         short in Shape::alone(8), long in Shape::alone(14), seed in any::<u64>(),
@@ -227,8 +227,8 @@ proptest! {
         solves::<Complex<f64>, 14>(&long, &values, 45.0)?;
     }
 
-    /// No diagonal outweighs anything: rows change places. The error is judged by the condition of the whole and of the fronts:
-    /// residuals, relative to the largest terms, are below 1e-9 where no pivot of a front is tiny.
+    /// No row is diagonally dominant: rows are swapped. Ill-conditioned matrices are excluded; for the others the error
+    /// is below 1e-9.
     #[test]
     fn general_matrices_are_solved(short in Shape::coupled(8), long in Shape::coupled(14), seed in any::<u64>()) {
         let values = values(seed);
@@ -239,8 +239,7 @@ proptest! {
     }
 }
 
-/// Random numbers everywhere; a solution with more than 1e6 times the right-hand side's size, or factors that let one grow so far,
-/// say nothing.
+/// Random entries everywhere; matrices with a condition number above 1e3 are skipped.
 fn general<F: FromPair, const N: usize>(shape: &Shape, values: &[(f64, f64)]) -> Result<(), TestCaseError> {
     let (elements, whole) = matrices::<F, N>(shape, values, 0.0);
     let singular_values = whole.clone().map(|x| Complex::new(x.real(), x.imaginary())).singular_values();
@@ -263,7 +262,7 @@ fn two() -> Shape {
     Shape { chains: vec![2], held: vec![], shared: vec![], border_size: 0 }
 }
 
-/// The unit matrix, half of it from either element where they meet.
+/// Unit matrix, contributed in halves by both elements where they meet.
 fn units(shape: &Shape) -> Vec<Vec<Vec<f64>>> {
     let elements = shape.chains[0];
     let unit = |element: usize| {
@@ -277,12 +276,12 @@ fn units(shape: &Shape) -> Vec<Vec<Vec<f64>>> {
     vec![(0..elements).map(unit).collect()]
 }
 
-/// A zero on the diagonal of a front, in its first and in its last row that is eliminated, in the first and in the last element.
+/// A zero on the diagonal of a front, in its first and its last eliminated row, in the first and the last element.
 #[test]
 fn a_zero_pivot_is_swapped() {
     for (element, row, other) in [(0, 0, 3), (0, 2, 3), (1, 4, 7), (1, 6, 7), (1, 0, 5)] {
         let mut matrices = units(&two());
-        // Rows `row` and `other` of the whole change places.
+        // Rows `row` and `other` of the assembled matrix are swapped.
         for (row, column) in [(row, row), (other, other)] {
             matrices[0][element][8 * column + row] = 0.0;
             if element == 1 && row < SHARED {
@@ -303,7 +302,7 @@ fn a_zero_pivot_is_swapped() {
     }
 }
 
-/// A row and a column of zeros: its unknown is named, with coordinates held before it, of the chain and of the border.
+/// A row and a column of zeros: its unknown is named, also behind held coordinates, and in the border.
 #[test]
 fn a_singular_matrix_names_its_unknown() {
     for at in 0..12 {
@@ -315,7 +314,7 @@ fn a_singular_matrix_names_its_unknown() {
         }
         let mut factors = chains::<f64, 8>(&two());
         assert_eq!(factorize(&mut factors, &matrices), Err(SingularAt(at)));
-        // There are no factors then: the solution is not a number, and new ones can be made.
+        // There are no factors then: the solution is NaN, and new factors can be made.
         let mut x = DVector::from_element(12, 1.0);
         factors.solve(&mut x);
         assert!(x.iter().all(|x| x.is_nan()));
@@ -324,18 +323,18 @@ fn a_singular_matrix_names_its_unknown() {
         factors.solve(&mut x);
         assert_eq!(x, DVector::from_element(12, 1.0));
 
-        // With the first two coordinates held unknowns count from the third.
+        // With the first two coordinates held, unknowns count from the third.
         if at >= 2 {
             let shape = Shape { held: vec![(0, 0), (0, 1)], ..two() };
             assert_eq!(factorize(&mut chains::<f64, 8>(&shape), &matrices), Err(SingularAt(at - 2)));
         }
-        // With one of the border, it is the border's.
+        // With this coordinate in the border, the border's unknown is named.
         let shape = Shape { shared: vec![(0, at, 0)], border_size: 1, ..two() };
         assert_eq!(factorize(&mut chains::<f64, 8>(&shape), &matrices), Err(SingularAt(11)));
     }
 }
 
-/// Numbers that are none are no pivots.
+/// NaN is not a pivot.
 #[test]
 fn a_pivot_that_is_no_number_is_refused() {
     let mut matrices = units(&two());

@@ -1,4 +1,4 @@
-//! Temperatures: histories in the order of time, within the strain measure, and a start that fits.
+//! Checks of temperatures: histories in order of time, strains within the strain measure, and a possible start.
 
 use std::collections::BTreeSet;
 use std::fmt::Display;
@@ -10,7 +10,7 @@ use crate::model::heat::Temperature;
 use crate::model::rod::Rod;
 use crate::model::scene::Scene;
 
-/// The temperatures of the scene and of its rods.
+/// Checks the temperatures of the scene and of its rods.
 pub(in crate::model) fn check_heat(scene: &Scene) -> Check {
     if let Some(temperature) = &scene.temperature {
         check_history("temperature.history", &temperature.history)?;
@@ -30,7 +30,7 @@ pub(in crate::model) fn check_heat(scene: &Scene) -> Check {
     Ok(())
 }
 
-/// What heat asks for where it strains a rod; `key` is where it is given.
+/// Checks a temperature that strains a rod; `key` is where it is given.
 fn check_rod(scene: &Scene, rod: &Rod, heat: &Temperature, key: impl Display) -> Check {
     require(!heat.history.is_empty(), format_args!("{key}.history"), "[]", "at least one pair [t, dT]")?;
     let alpha = scene.material(rod).alpha;

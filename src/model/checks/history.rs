@@ -1,10 +1,10 @@
-//! Histories are functions of time.
+//! Check of histories: values over strictly increasing times.
 
 use std::fmt::Display;
 
 use crate::model::check::{Check, finite, require};
 
-/// Refuses a history of pairs [t, value] that is no function of time.
+/// Refuses a history of pairs [t, value] whose times do not increase.
 pub(in crate::model) fn check_history(key: impl Display, history: &[[f64; 2]]) -> Check {
     for (i, &[time, value]) in history.iter().enumerate() {
         finite(format_args!("{key}[{i}][0]"), time)?;

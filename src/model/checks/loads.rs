@@ -1,11 +1,11 @@
-//! Gravity and forces: finite, at points that are there.
+//! Checks of gravity and forces: finite values at existing points.
 
 use super::history::check_history;
 use super::topology::check_node;
 use crate::model::check::{Check, finite, require};
 use crate::model::scene::Scene;
 
-/// Gravity and the forces at points.
+/// Checks gravity and the point forces.
 pub(in crate::model) fn check_loads(scene: &Scene) -> Check {
     for (axis, &g) in scene.gravity.iter().enumerate() {
         finite(format_args!("gravity[{axis}]"), g)?;

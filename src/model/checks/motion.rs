@@ -1,13 +1,13 @@
-//! The initial motion: one that supports allow.
+//! Check of the initial motion: compatible with the supports.
 
 use crate::model::check::{Check, finite, require};
 use crate::model::choice::Method;
 use crate::model::scene::Scene;
 
-/// How fast a held point may be told to move, of the fastest point: rounding.
+/// Largest velocity of a held point relative to the fastest point: rounding.
 const STILL: f64 = 1e-9;
 
-/// The motion, and that supports allow it.
+/// Checks that the motion is finite and that the supports allow it.
 pub(in crate::model) fn check_motion(scene: &Scene) -> Check {
     let Some(motion) = &scene.motion else { return Ok(()) };
     for (axis, (velocity, about)) in motion.velocity.iter().zip(&motion.about).enumerate() {

@@ -1,4 +1,4 @@
-//! Probes: a point or a place on a rod, and quantities that are there.
+//! Checks of probes: a point or a place on a rod, and quantities that exist there.
 
 use super::topology::{check_list, check_name, check_node, check_rod, unique};
 use crate::model::check::{Check, require};
@@ -7,7 +7,7 @@ use crate::model::json::words::Words;
 use crate::model::probes::Probe;
 use crate::model::scene::Scene;
 
-/// Names, places and quantities of the probes.
+/// Checks names, places and quantities of the probes.
 pub(in crate::model) fn check_probes(scene: &Scene) -> Check {
     for (i, probe) in scene.probes.iter().enumerate() {
         check_name(format_args!("probes[{i}].name"), &probe.name)?;
@@ -26,7 +26,7 @@ pub(in crate::model) fn check_probes(scene: &Scene) -> Check {
     unique("probes", "name", scene.probes.iter().map(|probe| probe.name.as_str()))
 }
 
-/// A probe of a point, or of the force on one rod there.
+/// Checks a probe of a point, or of the force on one rod there.
 fn check_at_point(scene: &Scene, i: usize, probe: &Probe, point: &str, rod: Option<&str>) -> Check {
     check_node(scene, format_args!("probes[{i}].point"), point)?;
     if let Some(at) = probe.at {
@@ -55,7 +55,7 @@ fn check_at_point(scene: &Scene, i: usize, probe: &Probe, point: &str, rod: Opti
     Ok(())
 }
 
-/// A probe of a place along a rod.
+/// Checks a probe of a place along a rod.
 fn check_on_rod(scene: &Scene, i: usize, probe: &Probe, rod: &str) -> Check {
     check_rod(scene, format_args!("probes[{i}].rod"), rod, None)?;
     let allowed = "a number from 0 to 1, with both: the place as a fraction of the rod's length";

@@ -1,4 +1,4 @@
-//! Statics: what has no meaning where a load factor from 0 to 1 stands in place of time.
+//! Checks of statics: no keys that need time, since a load factor from 0 to 1 takes its place.
 
 use std::fmt::Display;
 
@@ -7,7 +7,7 @@ use crate::model::choice::{Method, Quantity, Start};
 use crate::model::heat::Temperature;
 use crate::model::scene::Scene;
 
-/// Refuses what asks for time in a scene that has none.
+/// Refuses time-dependent keys in statics.
 pub(in crate::model) fn check_statics(scene: &Scene) -> Check {
     if scene.time.method != Method::Static {
         return Ok(());

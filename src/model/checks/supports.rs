@@ -1,4 +1,4 @@
-//! Supports: points and rods that are there, and nothing held twice.
+//! Checks of supports: existing points and rods, and no direction held twice.
 
 use std::collections::BTreeMap;
 
@@ -9,10 +9,10 @@ use crate::model::json::words::Words;
 use crate::model::scene::Scene;
 use crate::model::supports::Support;
 
-/// Sine of the angle between two directions up to which they count as parallel.
+/// Sine of the largest angle between directions that count as parallel.
 const PARALLEL: f64 = 1e-9;
 
-/// The supports, one by one and against each other.
+/// Checks the supports, each by itself and against the others.
 pub(in crate::model) fn check_supports(scene: &Scene) -> Check {
     let mut points: BTreeMap<&str, Held> = BTreeMap::new();
     for (i, support) in scene.supports.iter().enumerate() {
@@ -43,25 +43,25 @@ fn check_support(scene: &Scene, i: usize, support: &Support) -> Check {
     }
 }
 
-/// What the supports looked at so far hold at one point.
+/// Directions and sections held at one point by the supports checked so far.
 #[derive(Default)]
 struct Held<'a> {
-    /// Unit vectors along which the point cannot move, at most two.
+    /// Unit vectors along which the point is held, at most two.
     directions: Vec<Hold>,
-    /// Rods whose sections are clamped there, and the supports that do it.
+    /// Rods whose sections are clamped there, with the number of the support.
     clamps: BTreeMap<&'a str, usize>,
 }
 
-/// A unit vector along which a point cannot move, and where the scene says so.
+/// Unit vector along which a point is held, with its origin in the scene.
 struct Hold {
     direction: [f64; 2],
-    /// Whether it is the direction across a slide.
+    /// Whether it is the normal of a slide.
     slide: bool,
     by: String,
 }
 
 impl<'a> Held<'a> {
-    /// Adds support number `i`, which has to hold what is free until then.
+    /// Adds support number `i`, which must hold what was free so far.
     fn add(&mut self, i: usize, support: &'a Support) -> Check {
         let Support { point, fix, slide, clamp } = support;
         for (k, axis) in fix.iter().enumerate() {
@@ -87,17 +87,17 @@ impl<'a> Held<'a> {
         Ok(())
     }
 
-    /// Adds one direction. In the plane a slide leaves room for no other: one that is parallel to what it holds is held
-    /// twice, any other blocks the slide.
+    /// Adds one direction. In the plane a slide excludes any other: a direction parallel to its normal is redundant,
+    /// every other one blocks the slide.
     fn hold(&mut self, new: Hold, point: &str, key: String, value: String) -> Check {
         let [x, y] = new.direction;
         let parallel = |old: &&Hold| (old.direction[0] * y - old.direction[1] * x).abs() <= PARALLEL;
         let (first, verdict) = match (self.directions.iter().find(parallel), self.directions.as_slice()) {
-            // Both directions are held, the one of the slide too.
+            // Both directions are held, the slide's among them.
             (_, [first, _]) if new.slide => (first, "contradicts"),
             (Some(first), _) => (first, "is redundant beside"),
             (None, [first, ..]) if new.slide || first.slide => (first, "contradicts"),
-            // Without slides there are x and y only: two directions are not followed by another one.
+            // Without slides there are only x and y: after two directions no third one is possible.
             (None, _) => {
                 self.directions.push(new);
                 return Ok(());

@@ -1,4 +1,4 @@
-//! Time and output: whole numbers of steps, and no more of them than a computer takes.
+//! Checks of time and output: whole numbers of steps, and no more than a computer can handle.
 
 use crate::model::check::{Check, positive, require};
 use crate::model::choice::Method;
@@ -8,17 +8,17 @@ use crate::model::time::Time;
 /// Most time steps of a run: more is a mistyped step, and would take days even with one element.
 const MOST_STEPS: f64 = 1e9;
 
-/// Most load steps: each one is a row of the trajectory.
+/// Most load steps: each is a row of the trajectory.
 const MOST_LOAD_STEPS: usize = 1_000_000;
 
 /// Most numbers in a trajectory, which is kept in memory: 0.8 GB.
 const MOST_NUMBERS: f64 = 1e8;
 
-/// How far a ratio that has to be whole may be from it: relative, and in the unit of the ratio. The first lets pass
-/// steps that were written with ten digits; the second keeps the end of a long run within a thousandth of a step.
+/// Tolerance of a whole ratio: relative, and absolute in the unit of the ratio. The first accepts steps written with
+/// ten digits; the second keeps the end of a long run within a thousandth of a step.
 const WHOLE: (f64, f64) = (1e-9, 1e-3);
 
-/// Steps and the numbers of the methods.
+/// Checks the steps and the methods' parameters.
 pub(in crate::model) fn check_time(scene: &Scene) -> Check {
     let &Time { end, step, method, rho_inf, newton_tolerance, tolerance, load_steps } = &scene.time;
     positive("time.end", end)?;
@@ -31,7 +31,7 @@ pub(in crate::model) fn check_time(scene: &Scene) -> Check {
         let allowed = format_args!("at least {:.9e} s, for {MOST_STEPS:e} steps at most", end / MOST_STEPS);
         require(steps <= MOST_STEPS, "time.step", format_args!("{step:?}"), allowed)?;
         if !method.is_adaptive() {
-            // A step that is proposed should not be refused for the rows.
+            // The proposed step must fit the rows as well.
             let rows = scene.output.interval.filter(|interval| *interval > 0.0 && is_whole(end / interval));
             whole("time.end", end, ("time.step", step), rows.unwrap_or(end))?;
         }
@@ -46,7 +46,7 @@ pub(in crate::model) fn check_time(scene: &Scene) -> Check {
     require((1..=MOST_LOAD_STEPS).contains(&load_steps), "time.load_steps", load_steps, allowed)
 }
 
-/// The rows, and the memory that they take.
+/// Checks the rows and their memory.
 pub(in crate::model) fn check_output(scene: &Scene) -> Check {
     let columns = scene.columns().len() as f64;
     if scene.time.method == Method::Static {
@@ -73,7 +73,7 @@ pub(in crate::model) fn check_output(scene: &Scene) -> Check {
     require(rows * columns <= MOST_NUMBERS, key, format_args!("{interval:?}"), allowed)
 }
 
-/// Refuses a duration that is not a whole number of steps, and proposes one that divides `part` of it.
+/// Refuses a duration that is not a whole number of steps, and proposes a step that divides `part` of it.
 fn whole(key: &str, duration: f64, (unit, step): (&str, f64), part: f64) -> Check {
     let count = duration / step;
     let fitting = part / (part / step).ceil().max(1.0);

@@ -1,4 +1,4 @@
-//! What points, rods and pivots have to fulfil, and the names by which other parts of a scene mean them.
+//! Checks of points, rods and pivots, and of references to them by name.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
@@ -9,21 +9,21 @@ use crate::model::nearest::or_nearest;
 use crate::model::rod::Rod;
 use crate::model::scene::Scene;
 
-/// Most elements of a scene: 400 000 coordinates. More is a mistyped number; a rod of that many elements has lost the
-/// digits in which its bending shows.
+/// Most elements of a scene: 400 000 coordinates. More is a mistyped number; in a rod of so many elements bending is
+/// lost in rounding.
 pub(in crate::model) const MOST_ELEMENTS: usize = 100_000;
 
-/// Shortest rod relative to the largest coordinate of its ends: below, the difference of its ends has no more than
+/// Shortest rod relative to the largest coordinate of its ends: below it the difference of the ends has fewer than
 /// seven digits.
 const SHORTEST: f64 = 1e-9;
 
-/// Most names that a message lists.
+/// Most names listed in a message.
 const MOST_NAMES: usize = 8;
 
-/// How far apart the middles of two rods with one pivot may be, relative to the shorter rod.
+/// Largest distance between the middles of two rods with one pivot, relative to the shorter rod.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Points, rods and pivots.
+/// Checks points, rods and pivots.
 pub(in crate::model) fn check_topology(scene: &Scene) -> Check {
     for (name, position) in &scene.points {
         check_name(format_args!("points.{name}"), name)?;
@@ -57,7 +57,7 @@ fn check_rods(scene: &Scene) -> Check {
                 "a point further from `{}` than {SHORTEST:e} of their coordinates; the rod's length is {length:?} m",
                 rod.from
             );
-            // `length` overflows where the points are too far apart.
+            // `length` overflows for points too far apart.
             require(length > SHORTEST * size && length.is_finite(), key, format_args!("{:?}", rod.to), allowed)?;
         }
         let most = MOST_ELEMENTS - elements;
@@ -71,7 +71,7 @@ fn check_rods(scene: &Scene) -> Check {
     Ok(())
 }
 
-/// A pivot is a point of its own at the middle of two rods or more, and needs a node there.
+/// Checks pivots: each is a point of its own at the middle of at least two rods, and needs a node there.
 fn check_pivots(scene: &Scene) -> Check {
     let mut pivots: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (i, rod) in scene.rods.iter().enumerate() {
@@ -110,15 +110,14 @@ fn check_same_middle(scene: &Scene, first: &Rod, other: &Rod, key: impl Display)
     require(holds, key, format_args!("{:?}", other.pivot.as_deref().unwrap_or_default()), allowed)
 }
 
-/// Names are used in the paths of keys (`points.a`) and in the head of a CSV file, where these characters mean
-/// something else.
+/// Refuses names with characters that have a meaning in key paths (`points.a`) or in the header of a CSV file.
 pub(in crate::model) fn check_name(key: impl Display, name: &str) -> Check {
     let refused = |c: char| c.is_control() || ".,;[]\"`".contains(c);
     let holds = !name.is_empty() && name.trim() == name && !name.contains(refused);
     require(holds, key, format_args!("{name:?}"), "a name without . , ; [ ] \" ` and without spaces at its ends")
 }
 
-/// Refuses a name that is not that of a point.
+/// Refuses a name that no point has.
 fn check_point(scene: &Scene, key: impl Display, name: &str) -> Check {
     if scene.points.contains_key(name) {
         return Ok(());
@@ -128,7 +127,7 @@ fn check_point(scene: &Scene, key: impl Display, name: &str) -> Check {
     require(false, key, format_args!("{name:?}"), allowed)
 }
 
-/// Refuses a name that is neither that of a point nor that of a pivot.
+/// Refuses a name that neither a point nor a pivot has.
 pub(in crate::model) fn check_node(scene: &Scene, key: impl Display, name: &str) -> Check {
     if scene.position(name).is_some() {
         return Ok(());
@@ -141,7 +140,7 @@ pub(in crate::model) fn check_node(scene: &Scene, key: impl Display, name: &str)
     require(false, key, format_args!("{name:?}"), allowed)
 }
 
-/// Names in a row, or the first of them.
+/// Names in a list, or the first few.
 fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     let more = if names.len() > MOST_NAMES { ", …" } else { "" };
@@ -151,7 +150,7 @@ fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
     }
 }
 
-/// Refuses a name that is not that of a rod, or of a rod without a node at `point`, if there is one.
+/// Refuses a name that no rod has, or a rod without a node at `point`, if given.
 pub(in crate::model) fn check_rod(scene: &Scene, key: impl Display, name: &str, point: Option<&str>) -> Check {
     let Some(rod) = scene.rods.iter().find(|rod| rod.name == name) else {
         let known = || scene.rods.iter().map(|rod| rod.name.as_str());
@@ -163,7 +162,7 @@ pub(in crate::model) fn check_rod(scene: &Scene, key: impl Display, name: &str, 
     require(rod.has_node(point), key, format_args!("{name:?}"), allowed)
 }
 
-/// Refuses an empty list and one that holds a word twice.
+/// Refuses an empty list, and a list with a word twice.
 pub(in crate::model) fn check_list(key: impl Display, words: impl ExactSizeIterator<Item = &'static str>) -> Check {
     require(words.len() > 0, &key, "[]", "at least one entry")?;
     let mut seen = BTreeSet::new();

@@ -1,12 +1,13 @@
-//! Where a key's value stands in the text of a scene file, and how it is written there.
+//! Location of a key's value in the text of a scene file, and its spelling there.
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-/// Longest piece of a file that a message quotes, in characters.
+/// Longest quotation from a file in a message, characters.
 const LONGEST_QUOTE: usize = 60;
 
-/// Byte offset where the value of `key`, such as `rods[0].from`, begins. The text has to be JSON up to there only.
+/// Byte offset at which the value of `key`, such as `rods[0].from`, begins. The text need be valid JSON only up to
+/// there.
 pub fn start_of(text: &str, key: &str) -> Option<usize> {
     let mut at = skip_space(text, 0);
     let mut path = key;
@@ -22,7 +23,7 @@ pub fn start_of(text: &str, key: &str) -> Option<usize> {
     Some(at)
 }
 
-/// The value that begins at byte `at`, as it is written; up to the next delimiter if it is not JSON, like `NaN`.
+/// Text of the value at byte `at`, as written; up to the next delimiter if it is not JSON, like `NaN`.
 pub fn value_at(text: &str, at: usize) -> String {
     let end = read::<IgnoredAny>(text, at).map(|(_, end)| end);
     let tail = text.get(at..).unwrap_or_default();
@@ -33,7 +34,7 @@ pub fn value_at(text: &str, at: usize) -> String {
     quote(written)
 }
 
-/// `text` on one line, without control characters, and shortened if it is long.
+/// `text` on one line, without control characters, shortened if it is long.
 pub fn quote(text: &str) -> String {
     let line = text.split_whitespace().collect::<Vec<_>>().join(" ").replace(char::is_control, "\u{fffd}");
     match line.char_indices().nth(LONGEST_QUOTE) {
@@ -50,7 +51,7 @@ pub fn line_and_column(text: &str, at: usize) -> (usize, usize) {
     (before.matches('\n').count() + 1, column)
 }
 
-/// Offset of the value of the member that `path` begins with, in the object at `at`, and the rest of the path.
+/// Offset of the value of the first member in `path`, in the object at `at`, and the rest of the path.
 fn member<'a>(text: &str, at: usize, path: &'a str) -> Option<(usize, &'a str)> {
     let mut at = punctuation(text, at, '{')?;
     loop {
@@ -72,14 +73,14 @@ fn entry(text: &str, at: usize, index: usize) -> Option<usize> {
     Some(at)
 }
 
-/// Reads one JSON value at byte `at`: the value and the offset behind it.
+/// One JSON value at byte `at`, and the offset behind it.
 fn read<'a, T: Deserialize<'a>>(text: &'a str, at: usize) -> Option<(T, usize)> {
     let mut values = serde_json::Deserializer::from_str(text.get(at..)?).into_iter::<T>();
     let value = values.next()?.ok()?;
     Some((value, at + values.byte_offset()))
 }
 
-/// Offset of what follows `mark`, which has to be the next thing at byte `at`.
+/// Offset behind `mark`, which must be the next character at byte `at`.
 fn punctuation(text: &str, at: usize, mark: char) -> Option<usize> {
     let at = skip_space(text, at);
     text.get(at..)?.starts_with(mark).then(|| skip_space(text, at + mark.len_utf8()))

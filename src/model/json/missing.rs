@@ -1,6 +1,6 @@
-//! Keys that other parts of a scene ask for.
+//! Check for keys that other parts of a scene require.
 //!
-//! In memory they always have a value, so that the text has to be asked whether they were given.
+//! In memory these keys always have a value, so that only the text shows whether they were given.
 
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -9,7 +9,7 @@ use crate::model::check::{Check, require};
 use crate::model::choice::Method;
 use crate::model::scene::Scene;
 
-/// Which of these keys a text gives.
+/// Keys given in a text.
 #[derive(Deserialize)]
 struct Given {
     material: GivenMaterial,
@@ -32,7 +32,7 @@ struct GivenTime {
     end: Option<IgnoredAny>,
 }
 
-/// Refuses a `scene` whose `text` leaves out what it needs.
+/// Refuses a `scene` whose `text` leaves out a required key.
 pub fn check_missing(scene: &Scene, text: &str) -> Check {
     // A text that is a scene has these parts.
     let Ok(given) = serde_json::from_str::<Given>(text) else { return Ok(()) };

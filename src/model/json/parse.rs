@@ -1,4 +1,4 @@
-//! Text → validated scene, and what serde has to say in the terms of a scene file.
+//! Reads a checked scene from text, and turns serde's errors into the terms of a scene file.
 
 use serde::de::DeserializeOwned;
 use serde_json::error::Category;
@@ -14,10 +14,10 @@ use crate::model::choice::Schema;
 use crate::model::nearest::or_nearest;
 use crate::model::scene::Scene;
 
-/// Reads and checks the text of a scene file; `file` is the name used in messages.
+/// Reads and checks the text of a scene file; `file` is its name in messages.
 ///
 /// # Errors
-/// [`Error::Scene`] with the place in the file, the key, the value as it is written, and what is allowed.
+/// [`Error::Scene`] with place in the file, key, value as written, and what is allowed.
 pub fn read_scene(text: &str, file: &str) -> Result<Scene> {
     let scene = read(text).map_err(|(refusal, place)| refusal.into_error(file, Some(place)))?;
     check_missing(&scene, text).and_then(|()| check(&scene)).map_err(|mut refusal| {
@@ -30,17 +30,17 @@ pub fn read_scene(text: &str, file: &str) -> Result<Scene> {
     Ok(scene)
 }
 
-/// The error of a value in a file other than a scene's, with the value as it is written and its place.
+/// Error of a value in a file other than a scene, with the value as written and its place.
 pub fn refuse_in_file(refusal: Refusal, text: &str, file: &str) -> Error {
     let value = start_of(text, &refusal.key).map(|at| value_at(text, at)).filter(|value| !value.starts_with('['));
     let place = place_of(text, &refusal.key);
     Refusal { value: value.unwrap_or_else(|| refusal.value.clone()), ..refusal }.into_error(file, Some(place))
 }
 
-/// Reads the JSON of another file than a scene; `whole` is the word for all of it.
+/// Reads the JSON of a file other than a scene; `whole` names the file's content in messages.
 ///
 /// # Errors
-/// [`Error::Scene`] with the place in the file, the key, the value as it is written, and what is allowed.
+/// [`Error::Scene`] with place in the file, key, value as written, and what is allowed.
 pub fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str) -> Result<T> {
     let refused = |path: &str, error: &serde_json::Error| {
         let (mut refusal, place) = explain(text, path, error);
@@ -56,9 +56,9 @@ pub fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str) -> Re
     Ok(read)
 }
 
-/// Reads a scene that is not validated yet; on failure the refusal with its line and column.
+/// Reads a scene without checking it; a failure has line and column.
 fn read(text: &str) -> std::result::Result<Scene, (Refusal, (usize, usize))> {
-    // The version comes first, wherever its key stands: a later version may have keys that are unknown here.
+    // The version is checked first, wherever its key stands: a later version may have keys that are unknown here.
     if let Some(at) = start_of(text, "schema") {
         let written = value_at(text, at);
         if serde_json::from_str::<Schema>(&written).is_err() {
@@ -73,7 +73,7 @@ fn read(text: &str) -> std::result::Result<Scene, (Refusal, (usize, usize))> {
     Ok(scene)
 }
 
-/// Line and column of the value of `key`, or of the innermost part of the scene around it that is there.
+/// Line and column of the value of `key`, or of the innermost existing part around it.
 fn place_of(text: &str, key: &str) -> (usize, usize) {
     let mut key = key;
     loop {
@@ -84,14 +84,14 @@ fn place_of(text: &str, key: &str) -> (usize, usize) {
     }
 }
 
-/// What serde_json found at `path`, with its line and column.
+/// Refusal for what serde_json found at `path`, with line and column.
 ///
-/// Key names and expectations are part of serde's messages only, so that they are taken from there; the tests hold
-/// every kind of message that is told apart here.
+/// serde reports key names and expectations only inside its messages, so they are parsed from there. The tests cover
+/// every kind of message distinguished here.
 fn explain(text: &str, path: &str, error: &serde_json::Error) -> (Refusal, (usize, usize)) {
     let message = error.to_string();
     let reason = message.rsplit_once(" at line ").map_or(message.as_str(), |(reason, _)| reason);
-    // "." is the path of the whole file, ".?" at the end means a key that could not be read.
+    // "." is the path of the whole file; ".?" at the end marks a key that could not be read.
     let path = path.trim_end_matches('?').trim_end_matches('.');
     let in_path = |name: &str| if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
     let at = start_of(text, path);
@@ -126,24 +126,24 @@ fn explain(text: &str, path: &str, error: &serde_json::Error) -> (Refusal, (usiz
     (Refusal { key: whole(&key), value, allowed }, place)
 }
 
-/// The word for the whole of a scene file.
+/// Key of an error that concerns the whole scene file.
 const WHOLE: &str = "scene";
 
-/// The key, or a word for the whole file.
+/// The key, or the name for the whole file.
 fn whole(key: &str) -> String {
     if key.is_empty() { WHOLE.into() } else { key.into() }
 }
 
-/// The known names, and the one nearest to `name`.
+/// Known names, and the one nearest to `name`.
 fn one_of<'a>(known: impl Iterator<Item = &'a str> + Clone, name: &str) -> String {
     let all = known.clone().collect::<Vec<_>>().join("`, `");
     format!("`{all}`{}", or_nearest(name, known))
 }
 
-/// serde's words for a pair of numbers, the only list of fixed length in a scene.
+/// serde's expectation for a pair of numbers, the only list of fixed length in a scene.
 const PAIR: &str = "an array of length 2";
 
-/// serde's expectation without Rust's names of types.
+/// serde's expectation without Rust's type names.
 fn plain(expected: &str) -> String {
     match expected {
         "f64" => "a number",

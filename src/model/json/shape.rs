@@ -1,7 +1,7 @@
-//! Shapes of JSON that serde's derive is too generous about.
+//! Stricter JSON shapes than serde derives.
 //!
-//! A derived struct also reads a list of its values in order, an `Option` reads `null`, and a map keeps the last of
-//! two equal keys. In a scene file each of these is a mistake.
+//! A derived struct also accepts a list of its values, an `Option` accepts `null`, and a map keeps the last of two
+//! equal keys. In a scene file each of these is a mistake.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -10,7 +10,7 @@ use std::marker::PhantomData;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
-/// A value that is written as a JSON object and in no other way.
+/// Value that must be written as a JSON object.
 pub struct Object<T>(pub(super) T);
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for Object<T> {
@@ -34,12 +34,12 @@ pub fn object<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -
     Object::deserialize(deserializer).map(|Object(value)| value)
 }
 
-/// Reads an object whose key may be left out, but is not `null`.
+/// Reads an object whose key may be left out, but must not be `null`.
 pub fn some_object<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
     object(deserializer).map(Some)
 }
 
-/// Reads a value whose key may be left out, but is not `null`.
+/// Reads a value whose key may be left out, but must not be `null`.
 pub fn some<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
     T::deserialize(deserializer).map(Some)
 }
@@ -50,7 +50,7 @@ pub fn objects<'de, D: Deserializer<'de>, T: Deserialize<'de>>(deserializer: D) 
     Ok(list.into_iter().map(|Object(value)| value).collect())
 }
 
-/// Reads the points; a name given twice is an error.
+/// Reads the points; a duplicate name is an error.
 pub fn points<'de, D: Deserializer<'de>>(deserializer: D) -> Result<BTreeMap<String, [f64; 2]>, D::Error> {
     struct Points;
     impl<'de> Visitor<'de> for Points {

@@ -1,17 +1,18 @@
-//! A scene as JSON text for people.
+//! Writes a scene as readable JSON text.
 
 use crate::model::scene::Scene;
 
-/// Longest line on which a list or an object stays together, in bytes.
+/// Longest line on which a list or an object stays together, bytes.
 const LONGEST_LINE: usize = 116;
 
-/// Spaces by which the inside of a list or an object is set in.
+/// Spaces of indentation per level.
 const INDENT: usize = 2;
 
 impl Scene {
-    /// The scene as the text of a scene file: lists and objects that fit on a line stay on one.
+    /// Text of a scene file: lists and objects that fit on a line stay on one.
     pub fn to_text(&self) -> String {
-        // A scene holds nothing that JSON cannot: its keys are texts, and numbers that are not finite become null.
+        // A scene holds nothing that JSON cannot represent: its keys are texts, and numbers that are not finite become
+        // null.
         let json = serde_json::to_string(self).unwrap_or_default();
         let mut text = String::new();
         write(&json, 0, &mut text);
@@ -19,7 +20,7 @@ impl Scene {
     }
 }
 
-/// Writes compact JSON, the first line of it `indent` from the margin.
+/// Writes compact JSON, its first line `indent` from the margin.
 fn write(json: &str, indent: usize, text: &mut String) {
     let line = one_line(json);
     let opening = json.chars().next().filter(|first| "{[".contains(*first));
@@ -56,7 +57,7 @@ fn one_line(json: &str) -> String {
     line
 }
 
-/// The entries of a compact list, or the members of a compact object.
+/// Entries of a compact list, or members of a compact object.
 fn parts(json: &str) -> Vec<&str> {
     let (mut parts, mut start, mut at) = (Vec::new(), 1, 0);
     for (c, place) in marks(json) {
@@ -82,16 +83,16 @@ fn member(part: &str) -> (&str, &str) {
     part.split_at_checked(at).map_or(("", part), |(key, value)| (key, value.strip_prefix(':').unwrap_or(value)))
 }
 
-/// Where a character of a JSON text stands.
+/// Context of a character in a JSON text.
 #[derive(PartialEq)]
 enum Place {
-    /// In a string.
+    /// Inside a string.
     Text,
-    /// In so many lists and objects.
+    /// At this depth of nested lists and objects.
     Depth(usize),
 }
 
-/// The characters of a JSON text and where they stand.
+/// Characters of a JSON text, each with its context.
 fn marks(json: &str) -> impl Iterator<Item = (char, Place)> {
     let (mut depth, mut text, mut escaped) = (0_usize, false, false);
     json.chars().map(move |c| {

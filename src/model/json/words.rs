@@ -1,26 +1,27 @@
-//! Enums that a scene file writes as one of a few words.
+//! Enums that a scene file writes as words.
 
-/// A choice that a scene file writes as one of a few words.
+/// Enum that a scene file writes as one of a few words.
 pub trait Words: Copy + 'static {
-    /// The words, in the order of the variants.
+    /// All words, in the order of the variants.
     const WORDS: &'static [&'static str];
 
-    /// The variant for a word.
+    /// Variant of a word.
     fn from_word(word: &str) -> Option<Self>;
 
-    /// The word for a variant.
+    /// Word of a variant.
     fn word(self) -> &'static str;
 }
 
 /// Defines an enum whose variants are words in the scene file.
 ///
-/// serde's own derive would also take `{"2d": null}` for `"2d"`, and answers a number with "expected value"; these
-/// enums take a string only and name the words that are known.
+/// serde's own derive would also accept `{"2d": null}` for `"2d"`, and answers a number with "expected value". These
+/// enums accept only a string, and name the known words.
 macro_rules! words {
     ($(#[$outer:meta])* pub enum $name:ident { $($(#[$attribute:meta])* $variant:ident = $word:literal,)+ }) => {
         $(#[$outer])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-        pub enum $name { $($(#[$attribute])* $variant,)+ }
+        #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+        pub enum $name { $($(#[$attribute])* #[cfg_attr(feature = "schema", schemars(rename = $word))] $variant,)+ }
 
         impl $crate::model::json::words::Words for $name {
             const WORDS: &'static [&'static str] = &[$($word),+];

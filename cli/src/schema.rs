@@ -1,0 +1,14 @@
+//! JSON Schemas of all files that the program reads and writes.
+
+use ancf::internals::schema::{scene, schema};
+use schemars::Schema;
+use schemars::generate::SchemaSettings;
+
+use crate::summary::Summary;
+
+/// File names in `schema/` and their JSON Schemas: scenes and summaries, questions, answers and reports of `ancf conform`.
+pub fn schemas() -> Vec<(&'static str, Schema)> {
+    let summary = schema::<Summary>(SchemaSettings::for_serialize, "urn:ancf:summary:1", "Summary of `ancf run`");
+    let own = [scene(), ("summary.schema.json", summary)];
+    own.into_iter().chain(ancf_conform::schemas()).collect()
+}

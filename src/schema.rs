@@ -1,0 +1,40 @@
+//! JSON Schemas of the project's files, from the types that read and write them.
+
+use schemars::generate::SchemaSettings;
+use schemars::transform::RecursiveTransform;
+use schemars::{JsonSchema, Schema};
+use serde_json::Value;
+
+use crate::model::Scene;
+
+/// File name in `schema/` and JSON Schema of scene files.
+pub fn scene() -> (&'static str, Schema) {
+    let schema = schema::<Scene>(SchemaSettings::for_deserialize, "urn:ancf:scene:1", "Scene of `ancf run`");
+    ("scene.schema.json", schema)
+}
+
+/// JSON Schema of a type, as it is read ([`SchemaSettings::for_deserialize`]) or written ([`SchemaSettings::for_serialize`]).
+pub fn schema<T: JsonSchema>(contract: fn(SchemaSettings) -> SchemaSettings, id: &str, title: &str) -> Schema {
+    let settings = contract(SchemaSettings::draft2020_12()).with_transform(RecursiveTransform(tidy));
+    let mut schema = settings.into_generator().into_root_schema_for::<T>();
+    schema.insert("$id".into(), id.into());
+    schema.insert("title".into(), title.into());
+    schema
+}
+
+/// Joins the lines of descriptions, removes formats of Rust such as `uint`, and gives properties of an enum's variant its description.
+fn tidy(schema: &mut Schema) {
+    schema.remove("format");
+    let Some(description) = schema.get("description").and_then(Value::as_str).map(|text| text.replace('\n', " "))
+    else {
+        return;
+    };
+    schema.insert("description".into(), description.clone().into());
+    for property in
+        schema.get_mut("properties").and_then(Value::as_object_mut).into_iter().flat_map(|all| all.values_mut())
+    {
+        if let Value::Object(property) = property {
+            property.entry("description").or_insert_with(|| description.clone().into());
+        }
+    }
+}
