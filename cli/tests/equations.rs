@@ -50,7 +50,7 @@ fn what_no_element_can_be_is_refused_by_its_key() {
     for invalid in &suite.invalid {
         let text = serde_json::to_string_pretty(&invalid.state).unwrap();
         let Err(error) = ElementState::parse(&text, "state.json") else { panic!("{} is accepted", invalid.id) };
-        assert_eq!(error.is_bad_input(), true);
+        assert!(error.is_bad_input());
         let Error::Scene { key, .. } = &error else { panic!("{}: {error}", invalid.id) };
         assert!(key.starts_with(&invalid.key), "{}: {error}", invalid.id);
     }

@@ -253,9 +253,9 @@ impl Counts {
     }
 }
 
-/// Digits to one decimal.
+/// Digits to one decimal; adding zero turns −0 into 0.
 fn rounded(digits: f64) -> f64 {
-    (digits * 10.0).round() / 10.0
+    (digits * 10.0).round() / 10.0 + 0.0
 }
 
 fn counts_by_tag(suite: &Suite, examination: &Examination) -> BTreeMap<String, Counts> {
