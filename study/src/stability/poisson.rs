@@ -64,8 +64,7 @@ fn patch(nu: f64, poisson: Poisson) -> Result<Finding> {
     (scene.material.nu, scene.rods[0].poisson, scene.time.load_steps) = (nu, poisson, 4);
     // Not 1 − ν², whose rounding near ν = −1 would be an error of the load.
     let modulus = scene.material.youngs_modulus / ((1.0 - nu) * (1.0 + nu));
-    let strain = 0.5 * (STRETCH - 1.0) * (STRETCH + 1.0);
-    scene.forces[0].force = [0.01 * modulus * strain * STRETCH, 0.0];
+    scene.forces[0].force = [0.01 * modulus * 0.5 * (STRETCH - 1.0) * (STRETCH + 1.0) * STRETCH, 0.0];
     if !nu.is_finite() {
         // So that the load is not refused before the material.
         scene.forces.clear();
@@ -73,6 +72,7 @@ fn patch(nu: f64, poisson: Poisson) -> Result<Finding> {
     let mut own = run(&scene)?;
     // There is no bending that could lock.
     own.warnings.retain(|warning| !warning.contains("locks"));
+    let strain = 0.5 * (STRETCH - 1.0) * (STRETCH + 1.0);
     let growth = 1.0 + (2.0 * nu / (1.0 - 2.0 * nu)).abs();
     let bound = (10.0 * f64::EPSILON + TOLERANCE) * growth * strain + f64::EPSILON;
     let error = distance(last_tip(&own), [STRETCH, 0.0]);
