@@ -22,13 +22,22 @@ pub fn schema<T: JsonSchema>(contract: fn(SchemaSettings) -> SchemaSettings, id:
     schema
 }
 
-/// Joins the lines of descriptions, removes formats of Rust such as `uint`, and gives properties of an enum's variant its description.
+/// Text of a description: the first paragraph of a doc comment, in one line and without the targets of links.
+fn plain(comment: &str) -> String {
+    let paragraph = comment.split("\n\n").next().unwrap_or_default().replace('\n', " ");
+    let (mut text, mut rest) = (String::new(), paragraph.as_str());
+    while let Some((before, link)) = rest.split_once("[`") {
+        let Some((name, after)) = link.split_once("`]") else { break };
+        text += &format!("{before}`{name}`");
+        rest = after.strip_prefix('(').and_then(|target| target.split_once(')')).map_or(after, |(_, after)| after);
+    }
+    text + rest
+}
+
+/// Makes descriptions plain, removes formats of Rust such as `uint`, and gives properties of an enum's variant its description.
 fn tidy(schema: &mut Schema) {
     schema.remove("format");
-    let Some(description) = schema.get("description").and_then(Value::as_str).map(|text| text.replace('\n', " "))
-    else {
-        return;
-    };
+    let Some(description) = schema.get("description").and_then(Value::as_str).map(plain) else { return };
     schema.insert("description".into(), description.clone().into());
     for property in
         schema.get_mut("properties").and_then(Value::as_object_mut).into_iter().flat_map(|all| all.values_mut())
@@ -36,5 +45,16 @@ fn tidy(schema: &mut Schema) {
         if let Value::Object(property) = property {
             property.entry("description").or_insert_with(|| description.clone().into());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn descriptions_are_plain() {
+        assert_eq!(plain("Step\nof [`Time`](super::Time), s.\n\n```\nlet x = 1;\n```"), "Step of `Time`, s.");
+        assert_eq!(plain("Like [`Rod`]; a [pair, \\[a, b\\]]"), "Like `Rod`; a [pair, \\[a, b\\]]");
     }
 }
