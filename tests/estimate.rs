@@ -189,7 +189,7 @@ fn an_unstable_equilibrium_is_not_estimated() {
     assert!(run(&scene).unwrap().unstable_directions > 1);
     match run_estimated(&scene, |_| ()) {
         Err(error @ Error::Unstable { directions }) => {
-            assert!(directions > 1 && error.to_string().contains("one where the structure stays"), "{error}");
+            assert!(directions > 1 && error.to_string().contains("leads to the stable one"), "{error}");
         }
         other => panic!("{:?}", other.map(|run| run.accuracy)),
     }
