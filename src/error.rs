@@ -27,7 +27,7 @@ pub enum Error {
     /// A value of the scene is not allowed.
     #[error("{file}: `{key}` is {value}; allowed: {allowed}")]
     Scene {
-        /// File of the scene, or name of a built-in scene; followed by line and column where the value stands in a file
+        /// File of the scene, or name of a built-in scene; followed by line and column of the value in a file
         /// (`pendulum.json:4:21`).
         file: String,
         /// Path of the key, such as `material.E` or `rods[0].from`.
@@ -58,8 +58,8 @@ pub enum Error {
     #[error(
         "Newton's iteration did not converge at t = {} s: residual {residual:.3e} of the largest \
          force term after {iterations} iterations (tolerance {tolerance:.1e}); {}",
-        written(*time),
-        cure_of_iteration(*residual, *at_rounding)
+        time_text(*time),
+        newton_advice(*residual, *at_rounding)
     )]
     NewtonFailed {
         /// Time at the end of the failed step, s.
@@ -78,7 +78,7 @@ pub enum Error {
     #[error(
         "no equilibrium was found at {} of the load: {reason}; more `time.load_steps` help, or more `elements` where rods \
          bend far, unless the structure buckles there",
-        written(*factor)
+        time_text(*factor)
     )]
     NoEquilibrium {
         /// Load factor at the end of the failed step, 0 … 1.
@@ -90,7 +90,7 @@ pub enum Error {
     #[error(
         "the matrix is singular at t = {} s, iteration {iteration}, at {place}: a part of the structure is not \
          held, rods are stretched out in a singular position, or a step is far too large",
-        written(*time)
+        time_text(*time)
     )]
     Singular {
         /// Time, s.
@@ -102,7 +102,7 @@ pub enum Error {
     },
     /// Statics of a mechanism: the structure can move without strain.
     #[error(
-        "statics has no answer: the structure can move without a strain (to first order), rods {rods}; allowed: \
+        "statics has no solution: the structure can move without a strain (to first order): rods {rods}; allowed: \
          `supports` and pins that hold every rod"
     )]
     Drifts {
@@ -126,7 +126,7 @@ pub enum Error {
     #[error(
         "at t = {} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: the step is \
          far too long for a sudden load; {cure}",
-        written(*time)
+        time_text(*time)
     )]
     EnergyAppeared {
         /// Time, s.
@@ -143,9 +143,9 @@ pub enum Error {
     /// An element has collapsed or turned inside out (det J ≤ 0).
     #[error(
         "element {element} of {elements} of the rod `{rod}` has collapsed at {}: it is \
-         pressed to nothing, or inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, {}",
-        when(*time, *statics),
-        if *statics { "or the steps too long" } else { CURE_OF_COLLAPSE }
+         compressed to nothing, or turned inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, {}",
+        instant(*time, *statics),
+        if *statics { "or the steps too long" } else { COLLAPSE_ADVICE }
     )]
     Collapsed {
         /// Name of the rod.
@@ -163,7 +163,7 @@ pub enum Error {
     #[error(
         "at {} rounding errors of the elastic forces may be {share:.1e} of the {of}: the \
          structure is too stiff, or too slender, for numbers of 16 digits; a smaller `E` or a higher section helps, or fewer elements",
-        when(*time, *statics)
+        instant(*time, *statics)
     )]
     LostInRounding {
         /// Time, s; the load factor in statics.
@@ -179,7 +179,7 @@ pub enum Error {
     #[error(
         "the {place} is off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, together more than a \
          tenth of the motion of {moved:.1e} m, so that not even the first digit is sure; a smaller `time.step` or \
-         `time.tolerance`, more `elements`, or a `history` for what comes suddenly help"
+         `time.tolerance`, more `elements`, or a `history` for sudden loads help"
     )]
     Inaccurate {
         /// Position or deflection with the worst error, in words.
@@ -201,8 +201,8 @@ pub enum Error {
     },
     /// The equilibrium is unstable, so that its error cannot be estimated.
     #[error(
-        "the error cannot be estimated, as the equilibrium found is unstable, in {directions} direction(s): others are near, and which of \
-         them a finer run finds says nothing of this one; a small force across leads to the one where the structure stays"
+        "the error cannot be estimated, as the equilibrium found is unstable, in {directions} direction(s): other equilibria are \
+         near, and the one that a finer run finds says nothing about this one; a small lateral force leads to the stable one"
     )]
     Unstable {
         /// Number of independent unstable directions, in this run or a refined one.
@@ -212,7 +212,7 @@ pub enum Error {
     #[error(
         "at t = {} s the step would have to be shorter than {step:.1e} s: estimated error {error:.1e} m, tolerance \
          {tolerance:.1e} m; a larger `time.tolerance` helps, or a `history` where a force or heat comes suddenly",
-        written(*time)
+        time_text(*time)
     )]
     StepTooSmall {
         /// Time at the start of the step, s.
@@ -225,7 +225,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// A quantity is infinite or not a number.
-    #[error("{quantity} is no longer finite at t = {} s, step {step}; a smaller `time.step` helps", written(*time))]
+    #[error("{quantity} is no longer finite at t = {} s, step {step}; a smaller `time.step` helps", time_text(*time))]
     NotFinite {
         /// Name of the quantity.
         quantity: &'static str,
@@ -235,7 +235,7 @@ pub enum Error {
         step: usize,
     },
     /// The requested time is not the end of a step.
-    #[error("no step ends at t = {} s; allowed: {allowed}", written(*time))]
+    #[error("no step ends at t = {} s; allowed: {allowed}", time_text(*time))]
     NotATime {
         /// Requested time, s.
         time: f64,
@@ -286,37 +286,37 @@ impl From<Infallible> for Error {
 }
 
 /// Time rounded to 12 significant digits: 0.3 for 0.30000000000000004.
-fn rounded(time: f64) -> f64 {
+fn round_time(time: f64) -> f64 {
     format!("{time:.11e}").parse().unwrap_or(time)
 }
 
 /// Time as text, rounded; with an exponent below 10⁻⁹ and above 10⁹.
-pub(crate) fn written(time: f64) -> String {
-    let time = rounded(time);
+pub(crate) fn time_text(time: f64) -> String {
+    let time = round_time(time);
     if time == 0.0 || (1e-9..=1e9).contains(&time.abs()) { format!("{time}") } else { format!("{time:e}") }
 }
 
 /// Time, or load factor of statics, in words.
-fn when(time: f64, statics: bool) -> String {
-    let time = written(time);
+fn instant(time: f64, statics: bool) -> String {
+    let time = time_text(time);
     if statics { format!("{time} of the load") } else { format!("t = {time} s") }
 }
 
 /// Advice for a collapse in motion. A sudden load may collapse an element within one step, where shorter steps would
 /// not.
-const CURE_OF_COLLAPSE: &str = "or come too suddenly for the step: a `history` that lets them grow helps, or a smaller `time.step`, or \
+const COLLAPSE_ADVICE: &str = "or come too suddenly for the step: a `history` that lets them grow helps, or a smaller `time.step`, or \
      `time.tolerance` for adaptive methods";
 
 /// Advice for an iteration that does not converge.
-fn cure_of_iteration(residual: f64, at_rounding: bool) -> &'static str {
+fn newton_advice(residual: f64, at_rounding: bool) -> &'static str {
     if !residual.is_finite() {
         "numbers have left their range: a load, `E` or `rho` is far too large or too small, or a step too long"
     } else if at_rounding {
-        "it has stopped at rounding errors of the elastic forces, as `E` is large beside the loads: a larger `time.newton_tolerance` helps, \
+        "it has stopped at rounding errors of the elastic forces, since `E` is large compared with the loads: a larger `time.newton_tolerance` helps, \
          or fewer elements"
     } else {
-        "a smaller `time.step` helps, and where heat or a force comes suddenly a `history` that lets it grow, or \"explicit\", which \
-         iterates nothing"
+        "a smaller `time.step` helps, and for sudden heat or forces a `history` that lets them grow, or \"explicit\", which does \
+         not iterate"
     }
 }
 
@@ -336,9 +336,9 @@ mod tests {
             collapsed(3.0 * 0.1, false)
         );
         assert!(collapsed(0.7 + 0.1, true).contains("has collapsed at 0.8 of the load: "));
-        assert_eq!(rounded(123.456_789_012_3), 123.456_789_012);
-        assert_eq!(rounded(1e-7), 1e-7);
-        assert!(rounded(f64::NAN).is_nan());
+        assert_eq!(round_time(123.456_789_012_3), 123.456_789_012);
+        assert_eq!(round_time(1e-7), 1e-7);
+        assert!(round_time(f64::NAN).is_nan());
         for (time, text) in [
             (1e-303, "1e-303"),
             (3e-10, "3e-10"),
@@ -349,7 +349,7 @@ mod tests {
             (1e9, "1000000000"),
             (f64::NAN, "NaN"),
         ] {
-            assert_eq!(written(time), text);
+            assert_eq!(time_text(time), text);
         }
     }
 

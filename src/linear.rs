@@ -14,9 +14,9 @@ mod number;
 
 pub use band::{BandLu, BandMatrix};
 pub use banded_ldlt::BandedLdlt;
-pub use bordered::{Bordered, BorderedLu, Filling};
+pub use bordered::{BlockMut, Bordered, BorderedLu};
 pub use condensed::CondensedFactors;
-pub use frontal::{Chain, FrontalChain, MOST_BORDER_UNKNOWNS, NONE};
+pub use frontal::{Chain, FrontalChain, NO_UNKNOWN};
 pub use lanczos::{Pencil, largest_eigenvalue};
 pub use layout::{BlockLayout, Layout};
 pub use number::Number;
@@ -28,16 +28,16 @@ use nalgebra::DVector;
 pub struct SingularAt(pub usize);
 
 /// Size of a negligible entry, relative to the largest of the solution.
-const NOTHING: f64 = 1e-100;
+const NEGLIGIBLE: f64 = 1e-100;
 
 /// Shortest vector that is checked: in a shorter one each entry would have to be a third of the one before to become so
 /// small.
-const LONG: usize = 200;
+const LONG_VECTOR: usize = 200;
 
 /// Sets entries below 10⁻¹⁰⁰ of the largest to zero, in long vectors. A load at one end of a long structure decays
 /// exponentially along it, and arithmetic with underflowing numbers is a hundred times slower than with zeros.
-pub fn flush<F: Number>(b: &mut DVector<F>) {
-    if b.len() < LONG {
+pub fn flush_negligible<F: Number>(b: &mut DVector<F>) {
+    if b.len() < LONG_VECTOR {
         return;
     }
     // Four independent maxima at a time: a single one would make every comparison wait for the one before.
@@ -50,8 +50,8 @@ pub fn flush<F: Number>(b: &mut DVector<F>) {
             *least = if size < *least { size } else { *least };
         }
     }
-    let nothing = NOTHING * largest.into_iter().fold(0.0, f64::max);
-    if least.into_iter().any(|least| least < nothing) {
-        b.iter_mut().filter(|x| x.norm1() < nothing).for_each(|x| *x = F::zero());
+    let limit = NEGLIGIBLE * largest.into_iter().fold(0.0, f64::max);
+    if least.into_iter().any(|least| least < limit) {
+        b.iter_mut().filter(|x| x.norm1() < limit).for_each(|x| *x = F::zero());
     }
 }

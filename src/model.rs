@@ -32,7 +32,7 @@ pub(crate) use history::{interpolate, times_of};
 pub(crate) use json::parse::{read_json, refuse_in_file};
 pub use loads::Force;
 pub use motion::Motion;
-pub(crate) use nearest::nearest;
+pub(crate) use nearest::or_nearest;
 pub use probes::Probe;
 pub use rod::{Material, Rod, Section};
 pub use scene::Scene;

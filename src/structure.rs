@@ -60,10 +60,10 @@ pub struct Structure {
     rods: Arc<[Rod]>,
     kinds: Vec<UnknownKind>,
     /// Reciprocal lengths that convert an unknown's force to newtons; 0 for multipliers.
-    weights: DVector<f64>,
-    /// Factors of [`moved`](Structure::moved): one over the element length for a position; 1 for a slope, h/l for r_y
+    force_weights: DVector<f64>,
+    /// Factors of [`largest_change`](Structure::largest_change): one over the element length for a position; 1 for a slope, h/l for r_y
     /// in elements higher than long; 0 for a multiplier.
-    shares: DVector<f64>,
+    motion_factors: DVector<f64>,
     /// Points by name, sorted.
     points: Vec<(String, Point)>,
     /// Constraint rows; none in the condensed form.
@@ -82,9 +82,9 @@ pub struct Structure {
     /// Force or moment of a unit strain on each unknown, N or N m.
     unit_forces: DVector<f64>,
     /// Length of the shortest element, m.
-    shortest: f64,
+    shortest_element: f64,
     /// Least magnitude of the numbers whose differences are strains.
-    rounded: f64,
+    rounding_scale: f64,
 }
 
 /// Both ends of a step, with the rods' thermal strains.
@@ -125,10 +125,10 @@ impl Structure {
     }
 
     /// Largest entry of a force vector, N; moments are divided by their length (h or l), constraint rows are skipped.
-    pub fn largest(&self, force: &DVector<f64>) -> f64 {
+    pub fn largest_force(&self, force: &DVector<f64>) -> f64 {
         // Four independent maxima at a time: a single one would make every comparison wait for the one before.
         let (mut largest, mut sum) = ([0.0; 4], [0.0; 4]);
-        let mut look_at = |values: &[f64], weights: &[f64]| {
+        let mut accumulate = |values: &[f64], weights: &[f64]| {
             for (n, (value, weight)) in values.iter().zip(weights).enumerate() {
                 let value = (value * weight).abs();
                 largest[n] = if value > largest[n] { value } else { largest[n] };
@@ -136,16 +136,16 @@ impl Structure {
             }
         };
         let (values, last) = force.as_slice().as_chunks::<4>();
-        let (weights, last_weights) = self.weights.as_slice().as_chunks::<4>();
-        values.iter().zip(weights).for_each(|(values, weights)| look_at(values, weights));
-        look_at(last, last_weights);
+        let (weights, last_weights) = self.force_weights.as_slice().as_chunks::<4>();
+        values.iter().zip(weights).for_each(|(values, weights)| accumulate(values, weights));
+        accumulate(last, last_weights);
         // A comparison drops a NaN; a sum does not.
         let sum = sum.iter().sum::<f64>();
         if sum.is_nan() { sum } else { largest.into_iter().fold(0.0, f64::max) }
     }
 
     /// Largest entry of a displacement, m; slopes are multiplied by the length over which they act.
-    pub fn farthest(&self, u: &DVector<f64>) -> f64 {
+    pub fn largest_displacement(&self, u: &DVector<f64>) -> f64 {
         let size = |(u, kind): (&f64, &UnknownKind)| match kind {
             UnknownKind::Position => u.abs(),
             UnknownKind::Slope(length) => u.abs() * length,
@@ -187,7 +187,7 @@ impl Structure {
     }
 
     /// Location of an unknown, in words.
-    pub fn place(&self, unknown: usize) -> String {
+    pub fn location(&self, unknown: usize) -> String {
         let is_it = |vector: &NodeDofs, unknown| vector.unknowns.contains(&Some(unknown));
         let point_of = |unknown| {
             let its_node = |node: &Node| is_it(&self.rods[node.rod].chain[node.position], unknown);

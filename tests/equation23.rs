@@ -5,8 +5,7 @@
 
 mod common;
 
-use ancf::integrators::Counts;
-use ancf::internals::integrators::{acceleration, mass_factors};
+use ancf::integrators::{Counts, EquationOfMotion};
 use ancf::internals::structure::Structure;
 use ancf::model::{Constraints, Method, Model, Scene};
 use common::system::{Terms, systems};
@@ -181,8 +180,9 @@ fn the_residual_with_constraint_forces() {
 fn consistent_accelerations_and_multipliers() {
     every_case(|ours| {
         let mut counts = Counts::default();
-        let mut factors = mass_factors(&ours.structure, &mut counts).unwrap();
-        let mut a = acceleration(&ours.structure, &mut factors, &ours.u(), ours.t, &mut counts);
+        let mut motion = EquationOfMotion::new(&ours.structure, &mut counts).unwrap();
+        motion.accelerate(&ours.structure, &ours.u(), ours.t, &mut counts);
+        let mut a = motion.a;
         let scale = ours.terms.solution_scale();
         let n = ours.coordinates.len();
         let rows = ours.rows_of(&a);
@@ -200,9 +200,10 @@ fn condensed_accelerations_are_those_with_multipliers() {
         let mut scene = Model::parse(&ours.terms.case["scene"].to_string(), ours.terms.id).unwrap().into_scene();
         let accelerations = |scene: &Scene| {
             let structure = Structure::new(scene).unwrap();
-            let mut factors = mass_factors(&structure, &mut Counts::default()).unwrap();
-            let u = DVector::zeros(structure.size());
-            let a = acceleration(&structure, &mut factors, &u, ours.t, &mut Counts::default());
+            let mut counts = Counts::default();
+            let mut motion = EquationOfMotion::new(&structure, &mut counts).unwrap();
+            motion.accelerate(&structure, &DVector::zeros(structure.size()), ours.t, &mut counts);
+            let a = motion.a;
             let names = scene.rods.iter().flat_map(|rod| [Some(&rod.from), Some(&rod.to), rod.pivot.as_ref()]);
             names
                 .flatten()

@@ -209,7 +209,7 @@ fn a_rod_turned_inside_out_sets_no_limit() {
 fn unknowns_have_places() {
     let structure = Structure::new(&scissors(1, ThermalModel::None)).unwrap();
     let pivot = structure.unknown("a1b2", 4, 0).unwrap();
-    assert_eq!(structure.place(pivot), "the point `m1`");
-    assert_eq!(structure.place(structure.unknown("a1b2", 3, 0).unwrap()), "the rod `a1b2`");
+    assert_eq!(structure.location(pivot), "the point `m1`");
+    assert_eq!(structure.location(structure.unknown("a1b2", 3, 0).unwrap()), "the rod `a1b2`");
     assert_eq!(structure.unknown("a1b2", 10, 0), None);
 }

@@ -9,8 +9,7 @@
 
 mod common;
 
-use ancf::integrators::Counts;
-use ancf::integrators::State;
+use ancf::integrators::{Counts, EquationOfMotion, State};
 use ancf::internals::integrators::integrator;
 use ancf::internals::linear::Bordered;
 use ancf::internals::model::Scissors;
@@ -145,13 +144,14 @@ impl Moving {
         let mut counts = Counts::default();
         let mut method =
             integrator(scene, &ancf::internals::model::Plan::of(scene), structure, state, &mut counts).unwrap();
-        let mut mass = ancf::internals::integrators::mass_factors(structure, &mut counts).unwrap();
+        let mut motion = EquationOfMotion::new(structure, &mut counts).unwrap();
         let start = state.t;
         for n in 1..=count {
             let t = start + n as f64 * step;
             method.step(structure, state, t, &mut counts).unwrap();
             state.t = t;
-            let mut a = ancf::internals::integrators::acceleration(structure, &mut mass, &state.u, t, &mut counts);
+            motion.accelerate(structure, &state.u, t, &mut counts);
+            let mut a = motion.a.clone();
             structure.take_multipliers(&mut a);
             let none = DVector::zeros(structure.size());
             let multipliers = if structure.multiplier(0).is_some() { method.multipliers().unwrap() } else { &none };

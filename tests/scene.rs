@@ -387,7 +387,7 @@ fn a_scene_changed_in_memory_can_be_validated() {
     scene.clone().build().unwrap();
     scene.time.step = f64::NAN;
     let message = scene.clone().build().unwrap_err().to_string();
-    assert_eq!(message, "mine: `time.step` is NaN; allowed: a finite number over 0");
+    assert_eq!(message, "scene: `time.step` is NaN; allowed: a finite number over 0");
     scene.time.step = 1e-3;
     scene.points.insert("a".into(), [f64::INFINITY, 0.0]);
     assert!(matches!(scene.clone().build(), Err(Error::Scene { key, .. }) if key == "points.a[0]"));

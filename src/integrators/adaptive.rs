@@ -12,16 +12,16 @@ use crate::error::{Error, Result};
 use crate::structure::Structure;
 
 /// Shortest step relative to the longest; those cut short by a corner or a row may be shorter.
-const SHORTEST: f64 = 1e-6;
+const SHORTEST_STEP: f64 = 1e-6;
 
 /// Fraction of the step given by the error estimate that is used.
 const SAFETY: f64 = 0.9;
 
 /// Largest factor by which a step grows at once, and the smallest one for which it grows at all.
-const LONGER: (f64, f64) = (4.0, 1.25);
+const GROWTH: (f64, f64) = (4.0, 1.25);
 
 /// Smallest factor by which a step shrinks at once; also used for a step without a result.
-const SHORTER: f64 = 0.25;
+const SHRINKAGE: f64 = 0.25;
 
 /// One-step method that estimates its error.
 pub trait Embedded {
@@ -67,19 +67,19 @@ impl<M: Embedded> Adaptive<M> {
 
     /// Time at which the steps from `t` towards `t_1` must end first: `t_1`, or an earlier corner, however near. A
     /// pulse between two corners may be as strong as it is short.
-    fn goal(&self, t: f64, t_1: f64) -> f64 {
+    fn next_end(&self, t: f64, t_1: f64) -> f64 {
         let near = same_time(t_1);
         let next = self.corners.partition_point(|corner| *corner <= t + near);
         self.corners.get(next).copied().filter(|corner| *corner < t_1 - near).unwrap_or(t_1)
     }
 
     /// Factor for the next step, from the error estimate of this one.
-    fn stretch(&self, error: f64) -> f64 {
+    fn growth(&self, error: f64) -> f64 {
         if error == 0.0 {
-            return LONGER.0;
+            return GROWTH.0;
         }
         let wanted = SAFETY * (self.tolerance / error).powf(1.0 / f64::from(M::ORDER + 1));
-        if wanted.is_finite() { wanted.clamp(SHORTER, LONGER.0) } else { SHORTER }
+        if wanted.is_finite() { wanted.clamp(SHRINKAGE, GROWTH.0) } else { SHRINKAGE }
     }
 }
 
@@ -90,7 +90,7 @@ impl<M: Embedded> Integrator for Adaptive<M> {
 
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
         self.before.copy_from(state);
-        let t_1 = self.goal(state.t, t_1);
+        let t_1 = self.next_end(state.t, t_1);
         loop {
             let left = t_1 - state.t;
             // Equal steps to the end; a remainder of rounding size is no step.
@@ -109,13 +109,13 @@ impl<M: Embedded> Integrator for Adaptive<M> {
                 ) => f64::INFINITY,
                 Some(other) => return Err(other),
             };
-            let stretch = self.stretch(error);
+            let growth = self.growth(error);
             if error <= self.tolerance {
-                if stretch >= LONGER.0 {
+                if growth >= GROWTH.0 {
                     // A step cut short by a corner or a row is no evidence against longer ones.
-                    self.next = (dt * stretch).max(self.next).min(self.longest);
-                } else if stretch >= LONGER.1 || stretch < 1.0 {
-                    self.next = (dt * stretch).min(self.longest);
+                    self.next = (dt * growth).max(self.next).min(self.longest);
+                } else if growth >= GROWTH.1 || growth < 1.0 {
+                    self.next = (dt * growth).min(self.longest);
                 }
                 counts.steps += 1;
                 return Ok(());
@@ -123,8 +123,8 @@ impl<M: Embedded> Integrator for Adaptive<M> {
             counts.rejected += 1;
             state.copy_from(&self.before);
             self.method.undo();
-            self.next = dt * stretch.min(SAFETY);
-            if self.next < SHORTEST * self.longest {
+            self.next = dt * growth.min(SAFETY);
+            if self.next < SHORTEST_STEP * self.longest {
                 // Shorter steps do not help.
                 if let Some(collapsed @ Error::Collapsed { .. }) = failed.take() {
                     return Err(collapsed);

@@ -77,24 +77,25 @@ impl Equations for StepEquations<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
         let Workspace { increment, predicted_u, elastic, a, load, thermal } = &mut *self.workspace;
         increment.move_from(predicted_u);
-        let Increment { du, u, value, .. } = increment;
+        let Increment { du, u, residual, .. } = increment;
         self.structure.mean_force(&ends(&self.state.u, u, thermal), elastic);
         counts.force_calls += 1;
         // Not as a difference of the whole increment and Δt v₀, which would lose digits at small steps.
         a.copy_from(du);
         *a *= 2.0 / (self.dt * self.dt);
-        self.structure.inertia_into(a, value);
-        let largest_term = self.structure.largest(value).max(self.structure.largest(elastic)).max(self.largest_load);
-        *value += &*elastic;
-        *value -= &*load;
-        Residual { size: self.structure.largest(value), largest_term }
+        self.structure.inertia_into(a, residual);
+        let largest_term =
+            self.structure.largest_force(residual).max(self.structure.largest_force(elastic)).max(self.largest_load);
+        *residual += &*elastic;
+        *residual -= &*load;
+        Residual { size: self.structure.largest_force(residual), largest_term }
     }
 
     fn at_rounding(&self, times: f64) -> bool {
         let Workspace { increment, thermal: [thermal_0, thermal_1], .. } = &*self.workspace;
         // Stresses are averaged over both ends, and so are their rounding errors.
         increment.at_rounding(self.structure, thermal_1, times)
-            || self.structure.within_rounding(&increment.value, &self.state.u, thermal_0, times)
+            || self.structure.within_rounding(&increment.residual, &self.state.u, thermal_0, times)
     }
 
     fn factorize(&mut self) -> std::result::Result<(), SingularAt> {
@@ -119,13 +120,13 @@ impl Integrator for EnergyMomentum {
         structure.thermal_strains_into(state.t, &mut workspace.thermal[0]);
         structure.thermal_strains_into(t_1, &mut workspace.thermal[1]);
         structure.load_into(state.t, &mut workspace.load);
-        structure.load_into(t_1, &mut workspace.increment.value);
-        workspace.load += &workspace.increment.value;
+        structure.load_into(t_1, &mut workspace.increment.residual);
+        workspace.load += &workspace.increment.residual;
         workspace.load *= 0.5;
         workspace.increment.du.fill(0.0);
         workspace.predicted_u.copy_from(&state.u);
         workspace.predicted_u.axpy(*dt, &state.v, 1.0);
-        let largest_load = structure.largest(&workspace.load);
+        let largest_load = structure.largest_force(&workspace.load);
         let mut step = StepEquations { structure, dt: *dt, state, workspace, largest_load };
         newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
 

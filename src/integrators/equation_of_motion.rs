@@ -8,37 +8,6 @@ use crate::error::{Error, Result};
 use crate::linear::SingularAt;
 use crate::structure::{MassFactors, Structure};
 
-/// Factorises the mass matrix, bordered by the constraints if there are multipliers.
-///
-/// # Errors
-/// [`Error::Singular`] for a singular mass matrix.
-pub fn mass_factors(structure: &Structure, counts: &mut Counts) -> Result<MassFactors> {
-    counts.factorizations += 1;
-    structure.factorize_mass().map_err(|at| singular_mass(structure, at))
-}
-
-fn singular_mass(structure: &Structure, SingularAt(unknown): SingularAt) -> Error {
-    Error::Singular { time: 0.0, iteration: 0, place: structure.place(unknown) }
-}
-
-/// Accelerations, with multipliers λ in their entries, from M q̈ + Φ_qᵀ λ = Q_w − Q_e and Φ_q q̈ = 0. The latter is the
-/// second time derivative of Φ(q) = 0 for constraints that are linear in q.
-pub fn acceleration(
-    structure: &Structure,
-    mass: &mut MassFactors,
-    u: &DVector<f64>,
-    t: f64,
-    counts: &mut Counts,
-) -> DVector<f64> {
-    let mut force = DVector::zeros(structure.size());
-    structure.force(u, &structure.thermal_strains(t), &mut force);
-    let mut a = structure.load(t) - force;
-    mass.solve(&mut a);
-    counts.force_calls += 1;
-    counts.solves += 1;
-    a
-}
-
 /// Equation of motion, ready to be solved for one acceleration after the other.
 ///
 /// ```
@@ -62,17 +31,22 @@ pub struct EquationOfMotion {
 }
 
 impl EquationOfMotion {
-    /// Factorises the mass matrix.
+    /// Factorises the mass matrix, bordered by the constraints if there are multipliers.
     ///
     /// # Errors
     /// [`Error::Singular`] for a singular mass matrix.
     pub fn new(structure: &Structure, counts: &mut Counts) -> Result<EquationOfMotion> {
         let zeros = || DVector::zeros(structure.size());
         let thermal = structure.thermal_strains(0.0);
-        Ok(EquationOfMotion { mass: mass_factors(structure, counts)?, a: zeros(), force: zeros(), thermal })
+        counts.factorizations += 1;
+        let mass = structure.factorize_mass().map_err(|at| singular_mass(structure, at))?;
+        Ok(EquationOfMotion { mass, a: zeros(), force: zeros(), thermal })
     }
 
     /// Computes the acceleration at displacement `u` and time `t`, into [`a`](EquationOfMotion::a).
+    ///
+    /// With multipliers it solves M q̈ + Φ_qᵀ λ = Q_w − Q_e and Φ_q q̈ = 0, the second time derivative of Φ(q) = 0 for
+    /// constraints that are linear in q.
     pub fn accelerate(&mut self, structure: &Structure, u: &DVector<f64>, t: f64, counts: &mut Counts) {
         structure.thermal_strains_into(t, &mut self.thermal);
         structure.force(u, &self.thermal, &mut self.force);
@@ -93,4 +67,8 @@ pub fn check_step(structure: &Structure, method: &str, step: f64, limit: f64) ->
         return Err(Error::StepTooLarge { method: method.into(), step, largest, frequency, limit });
     }
     Ok(())
+}
+
+fn singular_mass(structure: &Structure, SingularAt(unknown): SingularAt) -> Error {
+    Error::Singular { time: 0.0, iteration: 0, place: structure.location(unknown) }
 }

@@ -23,13 +23,11 @@ use super::increment::step_failed;
 use super::integrator::{Integrator, check_end};
 use super::newton::{Equations, Newton, Residual};
 use super::state::State;
-use super::work::{POINTS as C, Work};
+use super::work::{POINTS as C, ROOT_3, Work};
 use crate::elements::ThermalStrain;
 use crate::error::Result;
 use crate::linear::{CondensedFactors, SingularAt};
 use crate::structure::Structure;
-
-const ROOT_3: f64 = 1.732_050_807_568_877_2;
 
 /// Matrix A by rows: stage velocities are v₀ + Δt Σ Aᵢⱼ aⱼ.
 const A: [[f64; 2]; 2] = [[0.25, 0.25 - ROOT_3 / 6.0], [0.25 + ROOT_3 / 6.0, 0.25]];
@@ -68,7 +66,7 @@ struct Workspace {
     /// Last improvement of z.
     improvement: [DVector<f64>; 2],
     /// Residuals.
-    value: [DVector<f64>; 2],
+    residual: [DVector<f64>; 2],
     a: [DVector<f64>; 2],
     /// Acceleration of the last stage of the step before, to restore after a failed attempt.
     a_before: DVector<f64>,
@@ -91,7 +89,7 @@ impl Gauss {
             u: pair(),
             middle: zeros(),
             improvement: pair(),
-            value: pair(),
+            residual: pair(),
             a: pair(),
             a_before: zeros(),
             elastic: zeros(),
@@ -119,7 +117,7 @@ struct StepEquations<'a> {
 impl Equations for StepEquations<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
         let StepEquations { structure, dt, state, largest_load, .. } = *self;
-        let Workspace { z, u, value, a, elastic, load, thermal, .. } = &mut *self.workspace;
+        let Workspace { z, u, residual, a, elastic, load, thermal, .. } = &mut *self.workspace;
         let (mut size, mut largest_term): (f64, f64) = (0.0, largest_load);
         for stage in 0..2 {
             u[stage].copy_from(&state.u);
@@ -132,12 +130,12 @@ impl Equations for StepEquations<'_> {
                 a.axpy(-weight * C[other] * dt, &state.v, 1.0);
             }
             structure.force(&u[stage], &thermal[stage], elastic);
-            structure.inertia_into(a, &mut value[stage]);
-            let terms = structure.largest(&value[stage]).max(structure.largest(elastic));
-            value[stage] += &*elastic;
-            value[stage] -= &load[stage];
+            structure.inertia_into(a, &mut residual[stage]);
+            let terms = structure.largest_force(&residual[stage]).max(structure.largest_force(elastic));
+            residual[stage] += &*elastic;
+            residual[stage] -= &load[stage];
             // A maximum would drop a NaN; the sum of both magnitudes serves as well.
-            size += structure.largest(&value[stage]);
+            size += structure.largest_force(&residual[stage]);
             largest_term = largest_term.max(terms);
         }
         counts.force_calls += 2;
@@ -145,11 +143,11 @@ impl Equations for StepEquations<'_> {
     }
 
     fn at_rounding(&self, times: f64) -> bool {
-        let Workspace { u, value, thermal, .. } = &*self.workspace;
+        let Workspace { u, residual, thermal, .. } = &*self.workspace;
         let (structure, floor) = (self.structure, times * self.inertia_rounding);
         (0..2).all(|stage| {
-            structure.largest(&value[stage]) <= floor
-                || structure.within_rounding(&value[stage], &u[stage], &thermal[stage], times)
+            structure.largest_force(&residual[stage]) <= floor
+                || structure.within_rounding(&residual[stage], &u[stage], &thermal[stage], times)
         })
     }
 
@@ -163,7 +161,7 @@ impl Equations for StepEquations<'_> {
     }
 
     fn improve(&mut self) {
-        let Workspace { z, improvement, value: [first, second], complex, factors, .. } = &mut *self.workspace;
+        let Workspace { z, improvement, residual: [first, second], complex, factors, .. } = &mut *self.workspace;
         for ((w, first), second) in complex.iter_mut().zip(&*first).zip(&*second) {
             *w = LEFT[0] * *first + LEFT[1] * *second;
         }
@@ -203,9 +201,9 @@ impl Embedded for Gauss {
             z.copy_from(&workspace.a[1]);
             z.axpy(c * dt, &state.v, 0.5 * (c * dt).powi(2));
         }
-        let largest_load = structure.largest(&workspace.load[0]).max(structure.largest(&workspace.load[1]));
+        let largest_load = structure.largest_force(&workspace.load[0]).max(structure.largest_force(&workspace.load[1]));
         structure.inertia_into(&state.v, &mut workspace.elastic);
-        let inertia_rounding = f64::EPSILON * INVERSE_SIZE * structure.largest(&workspace.elastic) / dt;
+        let inertia_rounding = f64::EPSILON * INVERSE_SIZE * structure.largest_force(&workspace.elastic) / dt;
         let mut step = StepEquations { structure, dt, state, workspace, largest_load, inertia_rounding };
         newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
 
@@ -221,7 +219,7 @@ impl Embedded for Gauss {
     fn error(&mut self, structure: &Structure, before: &State, _: &State, dt: f64, counts: &mut Counts) -> f64 {
         let Workspace {
             middle,
-            value: [force, start],
+            residual: [force, start],
             a: [first, second],
             elastic,
             load,
@@ -256,7 +254,7 @@ impl Embedded for Gauss {
         for (error, r) in middle.iter_mut().zip(&*complex) {
             *error = dt * dt / 12.0 * r.re;
         }
-        structure.farthest(middle)
+        structure.largest_displacement(middle)
     }
 
     fn undo(&mut self) {
@@ -268,12 +266,12 @@ impl Embedded for Gauss {
     /// exactly the energy change of the method's step, resolved or not.
     fn work(&mut self, structure: &Structure, before: &State, after: &State) -> f64 {
         let dt = after.t - before.t;
-        let Workspace { u, value: velocities, a, work, .. } = &mut self.workspace;
+        let Workspace { u, residual: velocities, a, work, .. } = &mut self.workspace;
         for (v, weights) in velocities.iter_mut().zip(A) {
             v.copy_from(&before.v);
             a.iter().zip(weights).for_each(|(a, weight)| v.axpy(weight * dt, a, 1.0));
         }
-        work.of(structure, dt, after.t, u, velocities)
+        work.over_step(structure, dt, after.t, u, velocities)
     }
 }
 

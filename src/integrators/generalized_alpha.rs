@@ -19,8 +19,7 @@
 use nalgebra::DVector;
 
 use super::counts::Counts;
-use super::equation_of_motion::acceleration;
-use super::equation_of_motion::mass_factors;
+use super::equation_of_motion::EquationOfMotion;
 use super::increment::{Increment, step_failed};
 use super::integrator::{Integrator, check_end};
 use super::newton::{Equations, Newton, Residual};
@@ -87,8 +86,9 @@ impl GeneralizedAlpha {
         let alpha_m = (2.0 * rho_inf - 1.0) / (rho_inf + 1.0);
         let alpha_f = rho_inf / (rho_inf + 1.0);
         let (beta, gamma) = (0.25 * (1.0 - alpha_m + alpha_f).powi(2), 0.5 - alpha_m + alpha_f);
-        let mut mass = mass_factors(structure, counts)?;
-        let mut a = acceleration(structure, &mut mass, &state.u, state.t, counts);
+        let mut motion = EquationOfMotion::new(structure, counts)?;
+        motion.accelerate(structure, &state.u, state.t, counts);
+        let mut a = motion.a;
         let multipliers = structure.take_multipliers(&mut a);
         let zeros = || DVector::zeros(structure.size());
         let workspace = Workspace {
@@ -121,7 +121,7 @@ impl Equations for StepEquations<'_> {
         let Weights { step: dt, alpha_m, alpha_f, beta, .. } = self.weights;
         let Workspace { increment, predicted_u, a, elastic, unbalanced, load, thermal } = &mut *self.workspace;
         increment.move_from(predicted_u);
-        let Increment { du, u, value, .. } = increment;
+        let Increment { du, u, residual, .. } = increment;
         self.structure.force(u, thermal, elastic);
         counts.force_calls += 1;
         self.structure.add_constraint_forces(du, elastic);
@@ -129,21 +129,22 @@ impl Equations for StepEquations<'_> {
         let from_du = (1.0 - alpha_m) / (beta * dt * dt);
         a.copy_from(du);
         a.axpy(alpha_m - (1.0 - alpha_m) * (0.5 / beta - 1.0), self.a_0, from_du);
-        self.structure.inertia_into(a, value);
-        let largest_term = self.structure.largest(value).max(self.structure.largest(elastic)).max(self.largest_given);
-        value.axpy(1.0 - alpha_f, elastic, 1.0);
-        value.axpy(alpha_f - 1.0, load, 1.0);
-        value.axpy(alpha_f, unbalanced, 1.0);
+        self.structure.inertia_into(a, residual);
+        let largest_term =
+            self.structure.largest_force(residual).max(self.structure.largest_force(elastic)).max(self.largest_given);
+        residual.axpy(1.0 - alpha_f, elastic, 1.0);
+        residual.axpy(alpha_f - 1.0, load, 1.0);
+        residual.axpy(alpha_f, unbalanced, 1.0);
         a.copy_from(du);
         a.axpy(dt, &self.state.v, 1.0);
-        self.structure.set_constraint_rows(a, value);
-        Residual { size: self.structure.largest(value), largest_term }
+        self.structure.set_constraint_rows(a, residual);
+        Residual { size: self.structure.largest_force(residual), largest_term }
     }
 
     fn at_rounding(&self, times: f64) -> bool {
         let Workspace { increment, predicted_u, thermal, .. } = &*self.workspace;
         // u may be a small sum of large terms, as when a vibration passes its middle.
-        let within = |u| self.structure.within_rounding(&increment.value, u, thermal, times);
+        let within = |u| self.structure.within_rounding(&increment.residual, u, thermal, times);
         within(&increment.u) || within(predicted_u) || within(&self.state.u)
     }
 
@@ -174,7 +175,8 @@ impl Integrator for GeneralizedAlpha {
         workspace.increment.du.axpy(0.5 * dt * dt, a_0, 1.0);
         workspace.predicted_u.copy_from(&state.u);
         workspace.predicted_u.axpy(dt, &state.v, 1.0);
-        let largest_given = structure.largest(&workspace.unbalanced).max(structure.largest(&workspace.load));
+        let largest_given =
+            structure.largest_force(&workspace.unbalanced).max(structure.largest_force(&workspace.load));
         let mut step = StepEquations { structure, weights: *weights, state, a_0, workspace, largest_given };
         newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
 

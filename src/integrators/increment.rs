@@ -16,7 +16,7 @@ pub struct Increment {
     /// Displacement: the known one plus the increment.
     pub u: DVector<f64>,
     /// Residual.
-    pub value: DVector<f64>,
+    pub residual: DVector<f64>,
     /// Last improvement of `du`.
     improvement: DVector<f64>,
     /// Factors of the matrix.
@@ -27,7 +27,7 @@ impl Increment {
     /// Allocates the increment of a structure.
     pub fn new(structure: &Structure) -> Increment {
         let zeros = || DVector::zeros(structure.size());
-        Increment { du: zeros(), u: zeros(), value: zeros(), improvement: zeros(), factors: structure.factors() }
+        Increment { du: zeros(), u: zeros(), residual: zeros(), improvement: zeros(), factors: structure.factors() }
     }
 
     /// Sets `u` to the known displacement `u_0` plus the increment.
@@ -38,12 +38,12 @@ impl Increment {
 
     /// Whether every entry of the residual is within `times` the rounding error of the elastic forces.
     pub fn at_rounding(&self, structure: &Structure, thermal: &[ThermalStrain], times: f64) -> bool {
-        structure.within_rounding(&self.value, &self.u, thermal, times)
+        structure.within_rounding(&self.residual, &self.u, thermal, times)
     }
 
     /// Applies an improvement, see [`Equations::improve`](super::newton::Equations::improve).
     pub fn improve(&mut self) {
-        self.improvement.copy_from(&self.value);
+        self.improvement.copy_from(&self.residual);
         self.factors.solve(&mut self.improvement);
         self.du -= &self.improvement;
     }
@@ -61,7 +61,7 @@ pub fn step_failed(failure: Failure, structure: &Structure, time: f64) -> Error 
             Error::NewtonFailed { time, iterations, residual, tolerance, at_rounding }
         }
         Failure::Singular { iteration, at: SingularAt(unknown) } => {
-            Error::Singular { time, iteration, place: structure.place(unknown) }
+            Error::Singular { time, iteration, place: structure.location(unknown) }
         }
     }
 }

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::counts::Counts;
 use super::state::State;
-use crate::error::{Error, Result, written};
+use crate::error::{Error, Result, time_text};
 use crate::structure::Structure;
 
 /// One-step time integration method.
@@ -86,6 +86,6 @@ pub fn check_end(t: f64, dt: f64, t_1: f64) -> Result<()> {
     if (t_1 - end).abs() <= same_time(t_1.abs().max(end.abs())) {
         return Ok(());
     }
-    let allowed = format!("{} s, the end of the next step of {} s", written(end), written(dt));
+    let allowed = format!("{} s, the end of the next step of {} s", time_text(end), time_text(dt));
     Err(Error::NotATime { time: t_1, allowed })
 }

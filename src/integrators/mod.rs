@@ -27,7 +27,6 @@ pub use state::State;
 pub(crate) mod inside {
     pub use super::adaptive::{Adaptive, Embedded};
     pub use super::energy_momentum::EnergyMomentum;
-    pub use super::equation_of_motion::{acceleration, mass_factors};
     pub use super::explicit::Explicit;
     pub use super::gauss::Gauss;
     pub use super::generalized_alpha::GeneralizedAlpha;

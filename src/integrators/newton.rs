@@ -11,19 +11,19 @@ use crate::linear::SingularAt;
 const MOST_MATRICES: usize = 30;
 
 /// Cost of a new matrix in iterations, measured: a reused matrix is kept as long as no more iterations are expected.
-const WORTH: f64 = 3.0;
+const MATRIX_COST: f64 = 3.0;
 
 /// Number of steps that begin with a new matrix after a reused one did harm.
-const DISTRUST: usize = 10;
+const DISTRUSTED_STEPS: usize = 10;
 
 /// Ratio of successive residuals above which an iteration stagnates.
-const STUCK: f64 = 0.25;
+const STAGNATION: f64 = 0.25;
 
 /// Allowed residual in rounding errors of one force; a residual sums several.
-const ROUNDINGS: f64 = 8.0;
+const ROUNDING_FACTOR: f64 = 8.0;
 
 /// Multiple of the allowed residual below which rounding is blamed for a failure.
-const NEAR: f64 = 100.0;
+const ROUNDING_SUSPECTED: f64 = 100.0;
 
 /// Magnitude of the residual, and of the largest of its terms, which it is compared with.
 #[derive(Clone, Copy, Debug)]
@@ -127,7 +127,7 @@ impl Newton {
     pub fn solve(&mut self, equations: &mut impl Equations, counts: &mut Counts) -> Result<(), Failure> {
         self.distrust = self.distrust.saturating_sub(1);
         // Whether the last improvement used the matrix of its own iterate.
-        let mut own = true;
+        let mut own_matrix = true;
         let mut needs_matrix = self.always_new || !self.has_matrix || self.distrust > 0;
         let (mut iterations, mut matrices) = (0, 0);
         let mut last: Option<f64> = None;
@@ -137,24 +137,24 @@ impl Newton {
             let goal = self.tolerance * largest_term;
             // A residual at rounding level does not end the iteration while it still decreases: for a fine mesh it may
             // hide all of a bent shape.
-            let stuck = last.is_some_and(|last| size >= STUCK * last);
-            if finite && (size <= goal || (stuck && equations.at_rounding(ROUNDINGS))) {
+            let stagnates = last.is_some_and(|last| size >= STAGNATION * last);
+            if finite && (size <= goal || (stagnates && equations.at_rounding(ROUNDING_FACTOR))) {
                 return Ok(());
             }
             if let Some(last) = last.take() {
                 let rate = size / last;
-                if !own && (!finite || rate >= 1.0) {
+                if !own_matrix && (!finite || rate >= 1.0) {
                     // The reused matrix did harm.
                     equations.undo();
-                    (self.distrust, needs_matrix) = (DISTRUST, true);
+                    (self.distrust, needs_matrix) = (DISTRUSTED_STEPS, true);
                     continue;
                 }
-                needs_matrix = self.always_new || rate >= 1.0 || (goal / size).ln() / rate.ln() > WORTH;
+                needs_matrix = self.always_new || rate >= 1.0 || (goal / size).ln() / rate.ln() > MATRIX_COST;
             }
             if !finite || matrices == MOST_MATRICES {
                 self.has_matrix = false;
                 let (residual, tolerance) = (size / largest_term, self.tolerance);
-                let at_rounding = finite && equations.at_rounding(NEAR * ROUNDINGS);
+                let at_rounding = finite && equations.at_rounding(ROUNDING_SUSPECTED * ROUNDING_FACTOR);
                 return Err(Failure::NotConverged { iterations, residual, tolerance, at_rounding });
             }
             if needs_matrix {
@@ -167,7 +167,7 @@ impl Newton {
                 })?;
                 self.has_matrix = true;
             }
-            own = std::mem::take(&mut needs_matrix);
+            own_matrix = std::mem::take(&mut needs_matrix);
             iterations += 1;
             counts.newton_iterations += 1;
             counts.solves += 1;

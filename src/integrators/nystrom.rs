@@ -52,8 +52,8 @@ impl Nystrom {
     /// Method with step `step` (s), starting at `state`.
     ///
     /// # Errors
-    /// [`Error::StepTooLarge`] above the stability limit of the largest frequency, as for
-    /// [`Explicit`](super::Explicit); [`Error::Singular`] for a singular mass matrix.
+    /// [`Error::StepTooLarge`] above the stability limit of the initial largest frequency (an upper bound, see
+    /// [`Structure::largest_frequency`]); [`Error::Singular`] for a singular mass matrix.
     pub fn new(structure: &Structure, state: &State, step: f64, counts: &mut Counts) -> Result<Nystrom> {
         check_step(structure, "nystrom", step, LIMIT)?;
         Nystrom::unchecked(structure, state, step, counts)
@@ -108,7 +108,7 @@ impl Embedded for Nystrom {
             let high = ALPHA[STAGES - 1].get(stage).unwrap_or(&0.0);
             self.error.axpy((high - B_LOW[stage]) * dt * dt, a, 1.0);
         }
-        structure.farthest(&self.error)
+        structure.largest_displacement(&self.error)
     }
 
     fn undo(&mut self) {
@@ -130,7 +130,7 @@ impl Embedded for Nystrom {
             v.axpy(r * (1.0 - 3.0 * s), &before.v, 1.0);
             v.axpy(s * (1.0 - 3.0 * r), &after.v, 1.0);
         }
-        self.work.of(structure, dt, after.t, displacements, velocities)
+        self.work.over_step(structure, dt, after.t, displacements, velocities)
     }
 }
 

@@ -65,12 +65,12 @@ impl Equations for StepEquations<'_> {
     fn residual(&mut self, counts: &mut Counts) -> Residual {
         let Workspace { increment, load, thermal, .. } = &mut *self.workspace;
         increment.move_from(self.u_0);
-        let Increment { u, value, .. } = increment;
-        self.structure.force(u, thermal, value);
+        let Increment { u, residual, .. } = increment;
+        self.structure.force(u, thermal, residual);
         counts.force_calls += 1;
-        let largest_term = self.structure.largest(value).max(self.largest_load);
-        *value -= &*load;
-        Residual { size: self.structure.largest(value), largest_term }
+        let largest_term = self.structure.largest_force(residual).max(self.largest_load);
+        *residual -= &*load;
+        Residual { size: self.structure.largest_force(residual), largest_term }
     }
 
     fn at_rounding(&self, times: f64) -> bool {
@@ -99,7 +99,7 @@ impl Integrator for Statics {
         let Statics { newton, workspace } = self;
         structure.thermal_strains_into(t_1, &mut workspace.thermal);
         structure.load_into(t_1, &mut workspace.load);
-        let largest_load = structure.largest(&workspace.load);
+        let largest_load = structure.largest_force(&workspace.load);
         let mut step = StepEquations { structure, u_0: &state.u, workspace, largest_load, improved: false };
         newton.solve(&mut step, counts).map_err(|failure| no_equilibrium(failure, structure, t_1))?;
         state.u += &workspace.increment.du;
@@ -116,7 +116,7 @@ fn no_equilibrium(failure: Failure, structure: &Structure, factor: f64) -> Error
             "residual {residual:.3e} of the largest force term after {iterations} iterations (tolerance {tolerance:.1e})"
         ),
         Failure::Singular { iteration, at: SingularAt(unknown) } => {
-            format!("the tangent is singular at {}, iteration {iteration}", structure.place(unknown))
+            format!("the tangent is singular at {}, iteration {iteration}", structure.location(unknown))
         }
     };
     Error::NoEquilibrium { factor, reason }

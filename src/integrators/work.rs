@@ -8,7 +8,8 @@ use nalgebra::DVector;
 use crate::elements::ThermalStrain;
 use crate::structure::{StepEnds, Structure};
 
-const ROOT_3: f64 = 1.732_050_807_568_877_2;
+/// Square root of 3, rounded.
+pub const ROOT_3: f64 = 1.732_050_807_568_877_2;
 
 /// Quadrature points, as fractions of the step; each has weight ½.
 pub const POINTS: [f64; 2] = [0.5 - ROOT_3 / 6.0, 0.5 + ROOT_3 / 6.0];
@@ -31,7 +32,7 @@ impl Work {
     }
 
     /// Work over the step of length `dt` that ends at `t_1`, J, from displacements and velocities at the [`POINTS`].
-    pub fn of(
+    pub fn over_step(
         &mut self,
         structure: &Structure,
         dt: f64,

@@ -42,15 +42,15 @@ impl<F: Number> BandMatrix<F> {
         size.saturating_mul(3 * band + 1).saturating_mul(size_of::<F>())
     }
 
-    fn place(&self, row: usize, column: usize) -> usize {
+    fn index(&self, row: usize, column: usize) -> usize {
         row * (3 * self.band + 1) + column + self.band - row
     }
 
     /// Adds `value` to the entry (row, column), which must lie inside the band.
     pub fn add(&mut self, row: usize, column: usize, value: F) {
         debug_assert!(row.abs_diff(column) <= self.band, "({row}, {column}) lies outside the band");
-        let place = self.place(row, column);
-        self.entries[place] += value;
+        let index = self.index(row, column);
+        self.entries[index] += value;
     }
 
     /// Adds `factor` · `other`, a matrix of the same shape.
@@ -73,7 +73,7 @@ impl<F: Number> BandMatrix<F> {
     /// Storage of a row's entries inside the band.
     fn entries_of(&self, row: usize) -> std::ops::Range<usize> {
         let columns = self.columns(row);
-        let start = self.place(row, columns.start);
+        let start = self.index(row, columns.start);
         start..start + columns.len()
     }
 
@@ -106,24 +106,24 @@ impl<F: Number> BandMatrix<F> {
             let below = (k + band + 1).min(size);
             let mut pivot = k;
             for row in k + 1..below {
-                if self.entries[self.place(row, k)].norm1() > self.entries[self.place(pivot, k)].norm1() {
+                if self.entries[self.index(row, k)].norm1() > self.entries[self.index(pivot, k)].norm1() {
                     pivot = row;
                 }
             }
             right = right.max(pivot + band + 1).min(size);
             if pivot != k {
                 for column in k..right {
-                    let (a, b) = (self.place(k, column), self.place(pivot, column));
+                    let (a, b) = (self.index(k, column), self.index(pivot, column));
                     self.entries.swap(a, b);
                 }
             }
-            let diagonal = self.entries[self.place(k, k)];
+            let diagonal = self.entries[self.index(k, k)];
             if diagonal.is_zero() || !diagonal.is_finite() {
                 return Err(SingularAt(k));
             }
-            let (source, width) = (self.place(k, k), right - k);
+            let (source, width) = (self.index(k, k), right - k);
             for row in k + 1..below {
-                let target = self.place(row, k);
+                let target = self.index(row, k);
                 let factor = self.entries[target] / diagonal;
                 self.entries[target] = factor;
                 if !factor.is_zero() {
@@ -179,12 +179,12 @@ impl<F: Number> BandLu<F> {
             b.swap(k, self.pivots[k]);
             let known = b[k];
             for row in k + 1..(k + band + 1).min(*size) {
-                let factor = entries[self.factors.place(row, k)];
+                let factor = entries[self.factors.index(row, k)];
                 b[row].iter_mut().zip(known).for_each(|(b, known)| *b -= factor * known);
             }
         }
         for k in (0..*size).rev() {
-            let start = self.factors.place(k, k);
+            let start = self.factors.index(k, k);
             let width = self.ends[k] - k;
             // Sums begin at −0, as those of iterators do.
             let mut known = [-F::zero(); N];

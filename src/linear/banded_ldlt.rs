@@ -46,19 +46,19 @@ impl<const W: usize> BandedLdlt<W> {
         Ok(band)
     }
 
-    /// Solves in place for vectors whose x components are at `places` in `b`, each followed by its y component.
-    pub fn solve(&self, places: &[u32], b: &mut [f64]) {
+    /// Solves in place for vectors whose x components are at `offsets` in `b`, each followed by its y component.
+    pub fn solve(&self, offsets: &[u32], b: &mut [f64]) {
         let mut known = [f64x2::ZERO; W];
-        for (row, &place) in self.lower.iter().zip(places) {
-            let y = reduced(get(b, place), row, &known);
+        for (row, &offset) in self.lower.iter().zip(offsets) {
+            let y = reduced(get(b, offset), row, &known);
             push(y, &mut known);
-            set(y, place, b);
+            set(y, offset, b);
         }
         known = [f64x2::ZERO; W];
-        for ((column, inverse), &place) in self.upper.iter().zip(&self.inverse).zip(places).rev() {
-            let x = reduced(get(b, place) * *inverse, column, &known);
+        for ((column, inverse), &offset) in self.upper.iter().zip(&self.inverse).zip(offsets).rev() {
+            let x = reduced(get(b, offset) * *inverse, column, &known);
             push(x, &mut known);
-            set(x, place, b);
+            set(x, offset, b);
         }
     }
 }
@@ -77,15 +77,15 @@ fn push<const W: usize>(newest: f64x2, known: &mut [f64x2; W]) {
 }
 
 #[inline(always)]
-fn get(b: &[f64], place: u32) -> f64x2 {
-    let place = place as usize;
-    f64x2::new([b[place], b[place + 1]])
+fn get(b: &[f64], offset: u32) -> f64x2 {
+    let offset = offset as usize;
+    f64x2::new([b[offset], b[offset + 1]])
 }
 
 #[inline(always)]
-fn set(value: f64x2, place: u32, b: &mut [f64]) {
-    let place = place as usize;
-    b[place..place + 2].copy_from_slice(&value.to_array());
+fn set(value: f64x2, offset: u32, b: &mut [f64]) {
+    let offset = offset as usize;
+    b[offset..offset + 2].copy_from_slice(&value.to_array());
 }
 
 #[cfg(test)]
@@ -106,11 +106,11 @@ mod tests {
             let dense = DMatrix::from_fn(size, size, entry);
             let factors = BandedLdlt::<3>::new(size, entry);
             prop_assume!(dense.clone().cholesky().is_some());
-            let places: Vec<u32> = (0..size as u32).rev().map(|n| 3 * n + 1).collect();
+            let offsets: Vec<u32> = (0..size as u32).rev().map(|n| 3 * n + 1).collect();
             let mut b: Vec<f64> = values.iter().copied().cycle().take(3 * size + 1).collect();
-            let component = |b: &[f64], c: usize| DVector::from_iterator(size, places.iter().map(|&p| b[p as usize + c]));
+            let component = |b: &[f64], c: usize| DVector::from_iterator(size, offsets.iter().map(|&p| b[p as usize + c]));
             let expected = [0, 1].map(|c| dense.clone().lu().solve(&component(&b, c)).unwrap());
-            factors.unwrap().solve(&places, &mut b);
+            factors.unwrap().solve(&offsets, &mut b);
             for (c, expected) in expected.iter().enumerate() {
                 prop_assert!((component(&b, c) - expected).amax() <= 1e-9 * expected.amax());
             }

@@ -11,16 +11,16 @@
 //! and leaves its part of a small band matrix D − Σ Cᵢ Aᵢ⁻¹ Bᵢ. The cost is linear in the number of rods and of their
 //! elements.
 
-mod filling;
+mod block_mut;
 mod inertia;
 
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector};
 
-pub use filling::Filling;
+pub use block_mut::BlockMut;
 
-use super::{BandLu, BandMatrix, BlockLayout, Layout, SingularAt, flush};
+use super::{BandLu, BandMatrix, BlockLayout, Layout, SingularAt, flush_negligible};
 
 /// Bordered block-diagonal matrix.
 #[derive(Clone, Debug)]
@@ -82,10 +82,10 @@ impl Bordered {
     }
 
     /// Access to block `number`, for adding entries.
-    pub fn block(&mut self, number: usize) -> Filling<'_> {
-        Filling {
+    pub fn block(&mut self, number: usize) -> BlockMut<'_> {
+        BlockMut {
             border: self.layout.border,
-            place: &self.layout.blocks[number],
+            layout: &self.layout.blocks[number],
             block: &mut self.blocks[number],
             corner: &mut self.corner,
         }
@@ -134,8 +134,8 @@ impl Bordered {
     fn largest(&self, of: impl Fn(usize, usize, f64) -> (usize, f64)) -> DVector<f64> {
         let mut largest = DVector::zeros(self.size());
         self.each(|row, column, value| {
-            let (place, value) = of(row, column, value);
-            largest[place] = value.abs().max(largest[place]);
+            let (index, value) = of(row, column, value);
+            largest[index] = value.abs().max(largest[index]);
         });
         largest
     }
@@ -183,11 +183,11 @@ fn power_of_two(size: f64) -> f64 {
 }
 
 impl Block {
-    fn zeros(place: &BlockLayout) -> Block {
+    fn zeros(layout: &BlockLayout) -> Block {
         Block {
-            own: BandMatrix::zeros(place.size, place.band),
-            right: DMatrix::zeros(place.size, place.touches.len()),
-            below: DMatrix::zeros(place.size, place.touches.len()),
+            own: BandMatrix::zeros(layout.size, layout.band),
+            right: DMatrix::zeros(layout.size, layout.touches.len()),
+            below: DMatrix::zeros(layout.size, layout.touches.len()),
         }
     }
 }
@@ -196,11 +196,11 @@ impl BorderedLu {
     /// Eliminates block by block.
     fn of(layout: &Arc<Layout>, mut corner: BandMatrix, blocks: Vec<Block>) -> Result<BorderedLu, SingularAt> {
         let mut eliminated = Vec::with_capacity(blocks.len());
-        for (place, Block { own, mut right, below }) in layout.blocks.iter().zip(blocks) {
-            let own = own.lu().map_err(|SingularAt(pivot)| SingularAt(place.first + pivot))?;
+        for (block, Block { own, mut right, below }) in layout.blocks.iter().zip(blocks) {
+            let own = own.lu().map_err(|SingularAt(pivot)| SingularAt(block.first + pivot))?;
             own.solve_columns(right.as_mut_slice());
-            for (m, row) in place.touches.iter().enumerate() {
-                for (n, column) in place.touches.iter().enumerate() {
+            for (m, row) in block.touches.iter().enumerate() {
+                for (n, column) in block.touches.iter().enumerate() {
                     let taken = below.column(m).dot(&right.column(n));
                     corner.add(row - layout.border, column - layout.border, -taken);
                 }
@@ -211,7 +211,7 @@ impl BorderedLu {
         Ok(BorderedLu { layout: layout.clone(), blocks: eliminated, corner, scales: None })
     }
 
-    /// Solves A x = b in place; negligible entries of a long vector become zero ([`flush`]).
+    /// Solves A x = b in place; negligible entries of a long vector become zero ([`flush_negligible`]).
     pub fn solve(&self, b: &mut DVector<f64>) {
         if let Some(Scales { rows, .. }) = &self.scales {
             b.component_mul_assign(rows);
@@ -224,14 +224,14 @@ impl BorderedLu {
             }
         }
         self.corner.solve(&mut b.as_mut_slice()[self.layout.border..]);
-        flush(b);
+        flush_negligible(b);
         for (layout, block) in self.layout.blocks.iter().zip(&self.blocks) {
             for (n, &touched) in layout.touches.iter().enumerate() {
                 let border = b[touched];
                 b.rows_mut(layout.first, layout.size).axpy(-border, &block.right.column(n), 1.0);
             }
         }
-        flush(b);
+        flush_negligible(b);
         if let Some(Scales { columns, .. }) = &self.scales {
             b.component_mul_assign(columns);
         }

@@ -8,7 +8,7 @@ use nalgebra::DVector;
 
 use super::frontal::Chain;
 use super::number::Number;
-use super::{BandLu, BandMatrix, SingularAt, flush};
+use super::{BandLu, BandMatrix, SingularAt, flush_negligible};
 
 /// LU factors of the chains and of the border, or memory for them.
 #[derive(Debug)]
@@ -47,7 +47,7 @@ impl<F: Number> CondensedFactors<F> {
         Ok(())
     }
 
-    /// Solves A x = b in place; negligible entries of a long vector become zero ([`flush`]).
+    /// Solves A x = b in place; negligible entries of a long vector become zero ([`flush_negligible`]).
     ///
     /// Without factors the solution is NaN.
     pub fn solve(&self, b: &mut DVector<F>) {
@@ -57,9 +57,9 @@ impl<F: Number> CondensedFactors<F> {
         };
         self.chains.iter().for_each(|chain| chain.forward(b.as_mut_slice()));
         corner.solve(&mut b.as_mut_slice()[self.border..]);
-        flush(b);
+        flush_negligible(b);
         self.chains.iter().for_each(|chain| chain.backward(b.as_mut_slice()));
-        flush(b);
+        flush_negligible(b);
     }
 
     /// Memory of the factors, bytes.

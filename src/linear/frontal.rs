@@ -6,21 +6,21 @@
 //! starts the next front. Nothing outside a front is stored or multiplied, and the compiler knows the length of every
 //! loop.
 //!
-//! Coordinates shared between rods, the *border*, are not eliminated. They stand beside the front in columns and rows
-//! of their own, from the first element that touches them on.
+//! Coordinates shared between rods, the *border*, are not eliminated. They are extra columns and rows of the front,
+//! from the first element that touches them on.
 
+mod element_unknowns;
 mod front;
-mod place;
 
 use std::fmt::Debug;
 
+use element_unknowns::{ElementUnknowns, MOST_BORDER_UNKNOWNS, SHARED};
 use front::{Border, Front, Side, subtract};
-use place::{ElementPlaces, SHARED};
 
 use super::number::Number;
 use super::{BandMatrix, SingularAt};
 
-pub use place::{MOST_BORDER_UNKNOWNS, NONE};
+pub use element_unknowns::NO_UNKNOWN;
 
 /// LU factors of one rod's matrix, for any element type.
 pub trait Chain<F: Number>: Debug + Send + Sync {
@@ -48,7 +48,7 @@ pub trait Chain<F: Number>: Debug + Send + Sync {
 /// LU factors of a chain of elements with `N` coordinates each.
 #[derive(Clone, Debug)]
 pub struct FrontalChain<F, const N: usize> {
-    places: Vec<ElementPlaces<N>>,
+    element_unknowns: Vec<ElementUnknowns<N>>,
     fronts: Vec<Front<F, N>>,
     /// Sides of all fronts: one for each border unknown that the chain has reached by then.
     sides: Vec<Side<F, N>>,
@@ -59,23 +59,23 @@ pub struct FrontalChain<F, const N: usize> {
 }
 
 impl<F: Number, const N: usize> FrontalChain<F, N> {
-    /// Allocates the factors of elements with these unknowns ([`NONE`] where a coordinate is held); those from `border`
+    /// Allocates the factors of elements with these unknowns ([`NO_UNKNOWN`] where a coordinate is held); those from `border`
     /// on belong to the border.
     pub fn new(elements: impl Iterator<Item = [u32; N]>, border: usize) -> FrontalChain<F, N> {
-        let (mut places, mut touches, mut sides) = (Vec::new(), Vec::new(), 0);
+        let (mut element_unknowns, mut touches, mut sides) = (Vec::new(), Vec::new(), 0);
         for unknowns in elements {
-            let place = ElementPlaces::new(unknowns, border, &mut touches, sides);
-            sides += place.reached;
-            places.push(place);
+            let unknowns = ElementUnknowns::new(unknowns, border, &mut touches, sides);
+            sides += unknowns.reached;
+            element_unknowns.push(unknowns);
         }
         let front = Front { lu: [[F::zero(); N]; N], swaps: [0; N] };
         let none = [F::zero(); N];
         FrontalChain {
-            fronts: vec![front; places.len()],
+            fronts: vec![front; element_unknowns.len()],
             sides: vec![Side { right: none, below: none }; sides],
             touches,
             border,
-            places,
+            element_unknowns,
         }
     }
 
@@ -86,12 +86,12 @@ impl<F: Number, const N: usize> FrontalChain<F, N> {
 
     /// Number of coordinates eliminated in a front: all in the last one.
     fn pivots(&self, element: usize) -> usize {
-        if element + 1 == self.places.len() { N } else { N - SHARED }
+        if element + 1 == self.element_unknowns.len() { N } else { N - SHARED }
     }
 
     /// Sides of an element's front, with their border unknowns.
-    fn sides(&self, place: &ElementPlaces<N>) -> impl Iterator<Item = (&Side<F, N>, usize)> {
-        self.sides[place.first_side..][..place.reached].iter().zip(self.touches.iter().copied())
+    fn sides(&self, unknowns: &ElementUnknowns<N>) -> impl Iterator<Item = (&Side<F, N>, usize)> {
+        self.sides[unknowns.first_side..][..unknowns.reached].iter().zip(self.touches.iter().copied())
     }
 }
 
@@ -102,21 +102,21 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
         corner: &mut BandMatrix<F>,
     ) -> Result<(), SingularAt> {
         let mut border = Border::zeros();
-        for element in 0..self.places.len() {
+        for element in 0..self.element_unknowns.len() {
             let pivots = self.pivots(element);
-            let place = &self.places[element];
+            let unknowns = &self.element_unknowns[element];
             let (before, front) = self.fronts.split_at_mut(element);
             let front = &mut front[0];
             fill(element, front.lu.as_flattened_mut());
-            border.advance(place.reached);
-            if !place.others.is_empty() {
-                border.separate(place, &mut front.lu);
+            border.advance(unknowns.reached);
+            if !unknowns.others.is_empty() {
+                border.separate(unknowns, &mut front.lu);
             }
             if let Some(before) = before.last() {
                 front.add_rest(before);
             }
-            front.eliminate(pivots, place.reached, &mut border).map_err(|k| SingularAt(place.own[k] as usize))?;
-            self.sides[place.first_side..][..place.reached].copy_from_slice(&border.sides[..place.reached]);
+            front.eliminate(pivots, unknowns.reached, &mut border).map_err(|k| SingularAt(unknowns.own[k] as usize))?;
+            self.sides[unknowns.first_side..][..unknowns.reached].copy_from_slice(&border.sides[..unknowns.reached]);
         }
         for (row, s) in self.touches.iter().zip(&border.corner) {
             for (column, value) in self.touches.iter().zip(s) {
@@ -128,11 +128,11 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
 
     fn forward(&self, b: &mut [F]) {
         let mut shared = [F::zero(); SHARED];
-        for (element, (place, front)) in self.places.iter().zip(&self.fronts).enumerate() {
+        for (element, (unknowns, front)) in self.element_unknowns.iter().zip(&self.fronts).enumerate() {
             let pivots = self.pivots(element);
             let mut y = [F::zero(); N];
             y[..SHARED].copy_from_slice(&shared);
-            for (y, own) in y[..pivots].iter_mut().zip(place.own) {
+            for (y, own) in y[..pivots].iter_mut().zip(unknowns.own) {
                 *y += b.get(own as usize).copied().unwrap_or(F::zero());
             }
             for (k, swap) in front.swaps[..pivots].iter().enumerate() {
@@ -144,11 +144,11 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
                 solved[k] = y[k];
                 subtract(y[k], &front.lu[k], &mut y);
             }
-            for (side, touched) in self.sides(place) {
+            for (side, touched) in self.sides(unknowns) {
                 let known = side.below[..pivots].iter().zip(&solved).fold(F::zero(), |sum, (a, b)| sum + *a * *b);
                 b[touched] -= known;
             }
-            for (solved, own) in solved[..pivots].iter().zip(place.own) {
+            for (solved, own) in solved[..pivots].iter().zip(unknowns.own) {
                 if let Some(b) = b.get_mut(own as usize) {
                     *b = *solved;
                 }
@@ -159,13 +159,13 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
 
     fn backward(&self, b: &mut [F]) {
         let mut shared = [F::zero(); SHARED];
-        for (element, (place, front)) in self.places.iter().zip(&self.fronts).enumerate().rev() {
+        for (element, (unknowns, front)) in self.element_unknowns.iter().zip(&self.fronts).enumerate().rev() {
             let pivots = self.pivots(element);
             let mut y = [F::zero(); N];
-            for (y, own) in y[..pivots].iter_mut().zip(place.own) {
+            for (y, own) in y[..pivots].iter_mut().zip(unknowns.own) {
                 *y = b.get(own as usize).copied().unwrap_or(F::zero());
             }
-            for (side, touched) in self.sides(place) {
+            for (side, touched) in self.sides(unknowns) {
                 subtract(b[touched], &side.right, &mut y);
             }
             if pivots < N {
@@ -179,7 +179,7 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
                 solved[k] = y[k] * front.lu[k][k];
                 subtract(solved[k], &front.lu[k], &mut y);
             }
-            for (solved, own) in solved[..pivots].iter().zip(place.own) {
+            for (solved, own) in solved[..pivots].iter().zip(unknowns.own) {
                 if let Some(b) = b.get_mut(own as usize) {
                     *b = *solved;
                 }
@@ -189,7 +189,7 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
     }
 
     fn bytes(&self) -> usize {
-        self.places.len() * size_of::<Front<F, N>>() + self.sides.len() * size_of::<Side<F, N>>()
+        self.element_unknowns.len() * size_of::<Front<F, N>>() + self.sides.len() * size_of::<Side<F, N>>()
     }
 }
 

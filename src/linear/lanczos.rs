@@ -3,13 +3,13 @@
 use nalgebra::{DMatrix, DVector};
 
 /// Relative accuracy of the eigenvalue: enough for the iteration not to stop at one below the largest.
-const ENOUGH: f64 = 1e-6;
+const TOLERANCE: f64 = 1e-6;
 
 /// Most iterations.
-const MOST: usize = 200;
+const MOST_ITERATIONS: usize = 200;
 
 /// Iterations between convergence checks.
-const STRIDE: usize = 20;
+const CHECK_EVERY: usize = 20;
 
 /// Symmetric matrices K and M, M positive definite.
 pub trait Pencil {
@@ -37,7 +37,7 @@ pub fn largest_eigenvalue(pencil: &mut impl Pencil) -> Option<(f64, f64)> {
     let (mut alphas, mut betas): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     pencil.mass(&v, &mut mass_v);
     let mut beta = v.dot(&mass_v).sqrt();
-    for iteration in 1..=MOST.min(n) {
+    for iteration in 1..=MOST_ITERATIONS.min(n) {
         v /= beta;
         mass_v /= beta;
         // M⁻¹ K v, orthogonalised against the last two vectors in the inner product of M.
@@ -53,10 +53,10 @@ pub fn largest_eigenvalue(pencil: &mut impl Pencil) -> Option<(f64, f64)> {
         pencil.mass(&v, &mut mass_v);
         beta = v.dot(&mass_v).max(0.0).sqrt();
         alphas.push(alpha);
-        if iteration % STRIDE == 0 || iteration == n || beta == 0.0 {
-            let (eigenvalue, missed) = of_tridiagonal(&alphas, &betas, beta)?;
-            if missed <= ENOUGH * eigenvalue {
-                return Some((eigenvalue, missed));
+        if iteration % CHECK_EVERY == 0 || iteration == n || beta == 0.0 {
+            let (eigenvalue, error_bound) = of_tridiagonal(&alphas, &betas, beta)?;
+            if error_bound <= TOLERANCE * eigenvalue {
+                return Some((eigenvalue, error_bound));
             }
         }
         betas.push(beta);
@@ -65,11 +65,11 @@ pub fn largest_eigenvalue(pencil: &mut impl Pencil) -> Option<(f64, f64)> {
 }
 
 /// Largest eigenvalue of the tridiagonal matrix, and the residual of its eigenvector in the whole space.
-fn of_tridiagonal(diagonal: &[f64], beside: &[f64], next: f64) -> Option<(f64, f64)> {
+fn of_tridiagonal(diagonal: &[f64], off_diagonal: &[f64], next: f64) -> Option<(f64, f64)> {
     let n = diagonal.len();
     let entry = |i: usize, j: usize| match i.abs_diff(j) {
         0 => diagonal[i],
-        1 => beside[i.min(j)],
+        1 => off_diagonal[i.min(j)],
         _ => 0.0,
     };
     let matrix = DMatrix::from_fn(n, n, entry);
@@ -111,10 +111,10 @@ mod tests {
     fn the_largest_eigenvalue_of_springs_in_a_row() {
         for n in [1, 2, 7, 100] {
             let exact = 2.0 * (0.5 * std::f64::consts::PI * n as f64 / (n + 1) as f64).sin().powi(2);
-            let (found, missed) = largest_eigenvalue(&mut Springs(n)).unwrap();
+            let (found, error_bound) = largest_eigenvalue(&mut Springs(n)).unwrap();
             assert!(
-                (found - exact).abs() <= missed.max(1e-12) && missed <= 1e-6 * found,
-                "{n}: {found} ± {missed}, {exact}"
+                (found - exact).abs() <= error_bound.max(1e-12) && error_bound <= 1e-6 * found,
+                "{n}: {found} ± {error_bound}, {exact}"
             );
             assert!(found <= exact * (1.0 + 1e-12));
         }

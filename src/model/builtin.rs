@@ -42,11 +42,11 @@ pub fn builtin_text(name: &str) -> Result<Cow<'static, str>> {
     if let Some(scissors) = Scissors::named(name) {
         return Ok(Cow::Owned(scissors.scene()?.to_text()));
     }
-    Err(Error::Read { path: name.into(), source: io::Error::new(io::ErrorKind::NotFound, unknown(name)) })
+    Err(Error::Read { path: name.into(), source: io::Error::new(io::ErrorKind::NotFound, unknown_scene(name)) })
 }
 
 /// Reason for an unknown scene name, with the nearest known one.
-fn unknown(name: &str) -> String {
+fn unknown_scene(name: &str) -> String {
     let nearest =
         nearest(name, builtin_names()).map_or(String::new(), |nearest| format!("the nearest is `{nearest}`, "));
     format!("no built-in scene has this name; {nearest}`ancf scenes` lists all")
@@ -56,7 +56,7 @@ fn unknown(name: &str) -> String {
 ///
 /// # Errors
 /// Those of [`builtin_text`]; [`Error::Read`] for a file that cannot be read.
-pub fn text_of(name_or_path: &str) -> Result<Cow<'static, str>> {
+pub fn scene_text(name_or_path: &str) -> Result<Cow<'static, str>> {
     match builtin_text(name_or_path) {
         Err(Error::Read { path, .. }) => {
             read(name_or_path).map(Cow::Owned).map_err(|source| Error::Read { path, source })
@@ -68,7 +68,7 @@ pub fn text_of(name_or_path: &str) -> Result<Cow<'static, str>> {
 /// Content of the file at `path`.
 fn read(path: &str) -> io::Result<String> {
     let explain = |source: io::Error| match source.kind() {
-        io::ErrorKind::NotFound => io::Error::new(source.kind(), format!("no such file, and {}", unknown(path))),
+        io::ErrorKind::NotFound => io::Error::new(source.kind(), format!("no such file, and {}", unknown_scene(path))),
         _ => source,
     };
     let mut text = String::new();

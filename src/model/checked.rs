@@ -1,6 +1,6 @@
 //! Checked scenes: valid by construction.
 
-use super::builtin::{builtin_text, text_of};
+use super::builtin::{builtin_text, scene_text};
 use super::checks::check;
 use super::json::parse::read_scene;
 use super::scene::Scene;
@@ -63,7 +63,7 @@ impl Model {
     /// [`Error::Scene`] for a value that is not allowed, or for too many scissors.
     pub fn load(name_or_path: &str) -> Result<Model> {
         // Some editors put a byte order mark before the text.
-        Model::parse(text_of(name_or_path)?.trim_start_matches('\u{feff}'), name_or_path)
+        Model::parse(scene_text(name_or_path)?.trim_start_matches('\u{feff}'), name_or_path)
     }
 
     /// Scene, to read.

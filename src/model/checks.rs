@@ -64,7 +64,7 @@ fn check_material(key: impl Display, material: &Material) -> Check {
     positive(format_args!("{key}.E"), youngs_modulus)?;
     let nu_holds = -1.0 < nu && nu < 0.5;
     let nu_key = format_args!("{key}.nu");
-    require(nu_holds, nu_key, format_args!("{nu:?}"), "a number between -1 and 0.5, without both")?;
+    require(nu_holds, nu_key, format_args!("{nu:?}"), "a number between -1 and 0.5, both excluded")?;
     positive(format_args!("{key}.rho"), rho)?;
     finite(format_args!("{key}.alpha"), alpha)
 }
@@ -74,8 +74,7 @@ fn check_section(key: impl Display, section: &Section) -> Check {
     positive(format_args!("{key}.width"), section.width)?;
     // The highest integral of the section, needed for bending in large strains; an underflow would silently remove it.
     let highest = section.width * section.height.powi(5);
-    let allowed =
-        "a height whose fifth power times the width is a number that f64 holds in all its digits; other units help";
+    let allowed = "a height whose fifth power times the width is a normal f64 number, without underflow or overflow; other units help";
     require(highest.is_normal(), format_args!("{key}.height"), format_args!("{:?}", section.height), allowed)
 }
 

@@ -108,6 +108,16 @@ words! {
     }
 }
 
+impl Direction {
+    /// Unit vector of the direction.
+    pub(crate) fn unit(self) -> [f64; 2] {
+        match self {
+            Direction::X => [1.0, 0.0],
+            Direction::Y => [0.0, 1.0],
+        }
+    }
+}
+
 impl Method {
     /// Whether the method is explicit: accelerations follow from the equation of motion without solving a system with
     /// the stiffness.

@@ -6,7 +6,7 @@ use std::fmt::Display;
 use super::check::require;
 use super::checks::check;
 use super::checks::topology::MOST_ELEMENTS;
-use super::choice::{Constraints, Direction, Element, Form, Method, Poisson, Quantity, Schema, Start, ThermalModel};
+use super::choice::{Direction, Element, Method, Quantity, Start, ThermalModel};
 use super::heat::Temperature;
 use super::loads::Force;
 use super::probes::Probe;
@@ -75,23 +75,17 @@ impl Scissors {
         let points =
             (1..=n + 1).flat_map(|k| [(format!("a{k}"), [column(k), height]), (format!("b{k}"), [column(k), 0.0])]);
         let scene = Scene {
-            schema: Schema::V1,
             title: self.title(),
             notes: self.notes(),
-            material: Material { youngs_modulus: 7e10, nu: 0.0, rho: 2750.0, alpha: 2.3e-5 },
-            section: Section { height: 0.02, width: 0.02 },
             points: points.collect::<BTreeMap<_, _>>(),
             rods: (1..=n).flat_map(|k| self.rods(k)).collect(),
-            supports: vec![support("b1", &[Direction::X, Direction::Y]), support("a1", &[Direction::X])],
-            forces: vec![Force { point: "a1".into(), force: [0.0, 0.0 - self.force], history: None }],
-            gravity: [0.0, 0.0],
+            supports: vec![Support::pinned("b1"), Support::fixed("a1", &[Direction::X])],
+            forces: vec![Force::new("a1", [0.0, 0.0 - self.force])],
             temperature: self.temperature(),
-            motion: None,
-            constraints: Constraints::Condensed,
-            form: Form::Consistent,
             time: Time { step: 2.5e-4, method: Method::EnergyMomentum, ..Time::until(3.0) },
             output: Output { interval: Some(0.01), energy: true },
             probes: self.probes(),
+            ..Scene::new(Material::new(7e10, 0.0, 2750.0).alpha(2.3e-5), Section::new(0.02, 0.02))
         };
         check(&scene).map_err(|refusal| refusal.into_error(&self.name(), None))?;
         Ok(scene)
@@ -105,7 +99,7 @@ impl Scissors {
         };
         let allowed = format!("a whole number from 1 to {most}, as {MOST_ELEMENTS} elements are allowed in all rods");
         refuse((1..=most).contains(&count), "scissors-<n>", &count, &allowed)?;
-        let allowed = "a number between 0 and 90 degrees, without both";
+        let allowed = "a number between 0 and 90 degrees, both excluded";
         refuse(angle > 0.0 && angle < 90.0, "angle", &format!("{angle:?}"), &allowed)?;
         refuse(force.is_finite(), "force", &format!("{force:?}"), &"a finite number, N")
     }
@@ -120,18 +114,9 @@ impl Scissors {
     fn rods(&self, k: usize) -> [Rod; 2] {
         [("a", "b"), ("b", "a")].map(|(from, to)| {
             let (from, to) = (format!("{from}{k}"), format!("{to}{}", k + 1));
-            Rod {
-                name: format!("{from}{to}"),
-                from,
-                to,
-                elements: self.elements,
-                element: Element::default(),
-                poisson: Poisson::default(),
-                pivot: Some(format!("m{k}")),
-                material: None,
-                section: None,
-                temperature: None,
-            }
+            Rod::new(&format!("{from}{to}"), &from, &to)
+                .elements(Element::default(), self.elements)
+                .pivot(&format!("m{k}"))
         })
     }
 
@@ -143,11 +128,10 @@ impl Scissors {
     /// Probes of the outermost upper point, and deflections of the rods that begin at b1, b2 and b3.
     fn probes(&self) -> Vec<Probe> {
         let end = format!("a{}", self.count + 1);
-        let of = vec![Quantity::Position, Quantity::Velocity, Quantity::Acceleration];
-        let point = Probe { name: end.clone(), point: Some(end), rod: None, at: None, of };
+        let point = Probe::point(&end, &end, &[Quantity::Position, Quantity::Velocity, Quantity::Acceleration]);
         let deflections = (1..=self.count.min(MOST_DEFLECTIONS)).map(|k| {
             let rod = format!("b{k}a{}", k + 1);
-            Probe { name: rod.clone(), point: None, rod: Some(rod), at: Some(0.5), of: vec![Quantity::Deflection] }
+            Probe::deflection(&rod, &rod, 0.5)
         });
         std::iter::once(point).chain(deflections).collect()
     }
@@ -189,8 +173,4 @@ impl Scissors {
         }
         notes
     }
-}
-
-fn support(point: &str, fix: &[Direction]) -> Support {
-    Support { point: point.into(), fix: fix.to_vec(), slide: None, clamp: None }
 }

@@ -57,11 +57,7 @@ impl Support {
 
     /// Unit vectors along which the support holds its point.
     pub(crate) fn held(&self) -> Vec<[f64; 2]> {
-        let axis = |direction: &Direction| match direction {
-            Direction::X => [1.0, 0.0],
-            Direction::Y => [0.0, 1.0],
-        };
-        self.fix.iter().map(axis).chain(self.across()).collect()
+        self.fix.iter().map(|direction| direction.unit()).chain(self.across()).collect()
     }
 
     /// Unit normal of the slide, along which the point is held. Scaled first, since squares under- and overflow.

@@ -16,14 +16,14 @@ const WARNED: f64 = 0.01;
 /// Energy balance of a run, J.
 pub struct Energy {
     /// Initial energy.
-    start: f64,
+    initial: f64,
     /// Initial kinetic energy.
-    kinetic: f64,
+    initial_kinetic: f64,
     input: f64,
     /// Largest energy that forces, heat and falling weights have supplied so far.
     supply: f64,
     /// Whether forces or heat supply energy.
-    pub works: bool,
+    pub has_work: bool,
     /// Least and greatest kinetic (from zero on), strain and potential energy of the rows.
     ranges: [[f64; 2]; 3],
     /// Largest imbalance of all rows.
@@ -42,21 +42,31 @@ impl Energy {
         let kinetic = structure.kinetic_energy(&state.v, &mut vector);
         let start = kinetic - structure.gravity().dot(&state.u);
         let heats = scene.rods.iter().any(|rod| scene.heat(rod).is_some_and(|heat| heat.history.len() > 1));
-        let works = !scene.forces.is_empty() || heats;
+        let has_work = !scene.forces.is_empty() || heats;
         let nothing = [f64::INFINITY, f64::NEG_INFINITY];
         let ranges = [[0.0, 0.0], nothing, nothing];
         let thermal = [thermal.clone(), thermal];
-        Energy { start, kinetic, input, supply: 0.0, works, ranges, imbalance: 0.0, thermal, vector }
+        Energy {
+            initial: start,
+            initial_kinetic: kinetic,
+            input,
+            supply: 0.0,
+            has_work,
+            ranges,
+            imbalance: 0.0,
+            thermal,
+            vector,
+        }
     }
 
     /// Adds work known from the method.
-    pub fn put_in(&mut self, work: f64) {
+    pub fn add_work(&mut self, work: f64) {
         self.input += work;
     }
 
     /// Adds the work of forces and heat over a step from the states at its ends: second order, and exact for the
     /// energy–momentum rule.
-    pub fn work(&mut self, structure: &Structure, before: &State, after: &State) {
+    pub fn add_step_work(&mut self, structure: &Structure, before: &State, after: &State) {
         let [thermal_0, thermal_1] = &mut self.thermal;
         structure.thermal_strains_into(before.t, thermal_0);
         structure.thermal_strains_into(after.t, thermal_1);
@@ -78,7 +88,7 @@ impl Energy {
         structure.thermal_strains_into(state.t, thermal);
         let strain = structure.strain_energy(&state.u, thermal);
         let potential = 0.0 - structure.gravity().dot(&state.u);
-        [kinetic, strain, potential, self.input, kinetic + strain + potential - self.start - self.input]
+        [kinetic, strain, potential, self.input, kinetic + strain + potential - self.initial - self.input]
     }
 
     /// Records a row, and refuses a state with twice the energy supplied. No method may create energy; a step far too
@@ -94,7 +104,9 @@ impl Energy {
         if created.abs() > self.imbalance.abs() {
             self.imbalance = created;
         }
-        self.supply = self.supply.max(self.kinetic + input.abs() + (potential - (self.start - self.kinetic)).abs());
+        self.supply = self
+            .supply
+            .max(self.initial_kinetic + input.abs() + (potential - (self.initial - self.initial_kinetic)).abs());
         if created > self.supply + structure.energy_rounding() {
             let (time, step, supply) = (state.t, state.step, self.supply);
             return Err(Error::EnergyAppeared { time, step, created, supply, cure: cure(method) });
@@ -111,15 +123,15 @@ impl Energy {
         }
         let share = 100.0 * missed / changes;
         let (moved, why) = match method {
-            _ if self.imbalance > 0.0 => ("appeared", "its steps are too long for what comes suddenly".to_string()),
+            _ if self.imbalance > 0.0 => ("appeared", "its steps are too long for a sudden load".to_string()),
             Method::GeneralizedAlpha | Method::Nystrom | Method::NystromAdaptive => {
                 ("was lost", format!("\"{method}\" damps vibrations that its steps do not resolve"))
             }
             _ => ("was lost", "its steps are too long".into()),
         };
         Some(format!(
-            "energy {moved}: {missed:.1e} J, {share:.1} % of what the energies change by; {why}; whether positions suffer from it shows a \
-             smaller step, or another method"
+            "energy {moved}: {missed:.1e} J, {share:.1} % of what the energies change by; {why}; a smaller step \
+             or another method shows whether positions suffer"
         ))
     }
 }

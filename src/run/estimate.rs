@@ -37,7 +37,7 @@ const LEAST_TOLERANCE: f64 = 1e-12;
 const HALVINGS: usize = 6;
 
 /// Required ratio of steps, finer run to run: a tenth of the tolerance makes 1.8 times as many.
-const MORE: f64 = 1.5;
+const STEP_RATIO: f64 = 1.5;
 
 /// Most finer steps per step, for loads that come and go within it.
 const MOST_PARTS: usize = 16;
@@ -45,10 +45,10 @@ const MOST_PARTS: usize = 16;
 /// Runs a model and estimates its errors; `on_step` is called with the number of steps done of the run itself.
 ///
 /// ```
-/// use ancf::{model::Scene, run::run_estimated};
+/// use ancf::model::{Method, Scene};
+/// use ancf::run::run_estimated;
 ///
-/// let mut scene = Scene::builtin("pendulum-flexible").unwrap().until(0.1);
-/// scene.rods[0].elements = 1;
+/// let scene = Scene::builtin("pendulum-flexible").unwrap().method(Method::EnergyMomentum, 1e-3).until(0.2);
 /// let accuracy = run_estimated(&scene, |_| ())?.accuracy;
 /// let (time, space) = (accuracy.time.unwrap(), accuracy.space.unwrap());
 /// assert!(time.value < 1e-4 && space.value < 1e-2, "{} {}", time.value, space.value);
@@ -67,7 +67,7 @@ where
     let scene = &model.scene().clone();
     let observer = Observer::of(scene);
     let (mut own, seen) = observer.run_with_progress(Simulation::of(model)?, on_step)?;
-    let (finer, in_time, seen_in_time, how) = finer_in_time(&observer, &own)?;
+    let (finer, in_time, seen_in_time, how) = refine_in_time(&observer, &own)?;
     let time = observer.changes(&seen, &seen_in_time, |_| true);
 
     // Explicit steps must be shorter on a finer mesh, so that the comparison uses equally short ones.
@@ -76,7 +76,7 @@ where
     let mut mesh = base.clone();
     mesh.rods.iter_mut().for_each(|rod| rod.elements *= 2);
     let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
-    let (on_finer, seen_on_finer) = stable(mesh)
+    let (on_finer, seen_on_finer) = stable_simulation(mesh)
         .and_then(|mesh| observer.run_with_progress(mesh, |_| ()))
         .map_err(|error| no_estimate(&on_mesh, error))?;
     let space = observer.changes(seen_of_base, &seen_on_finer, |_| true);
@@ -90,7 +90,7 @@ where
     let pairs = [(&seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
     let at_rows = pairs.map(|(own, finer)| worst(observer.changes(own, finer, |is_row| is_row))).iter().sum();
     let [time, space] = [time, space].map(worst);
-    let when = observer.when();
+    let when = observer.schedule();
     let estimate = |value, method: &str| {
         let method = format!(
             "{SAFETY} × the largest change of a position, {when}, by {method}; velocities, reactions and energies are not estimated"
@@ -106,7 +106,7 @@ fn no_estimate(what: &str, error: Error) -> Error {
 }
 
 /// Scene with finer steps, its run and observations, and the refinement in words.
-fn finer_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observations, String)> {
+fn refine_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observations, String)> {
     let scene = observer.scene;
     let mut finer = scene.clone();
     let how = match scene.time.method {
@@ -121,7 +121,7 @@ fn finer_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observat
             "a tenth of the tolerance and half the longest step".into()
         }
         _ => {
-            let parts = parts(scene)?;
+            let parts = subdivisions(scene)?;
             divide(&mut finer, parts);
             if parts == 2 { "half the step".into() } else { format!("1/{parts} of the step") }
         }
@@ -129,7 +129,7 @@ fn finer_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observat
     let (mut run_of_it, mut seen, how) = with_finer_newton(observer, &mut finer, how)?;
     // Where rows and corners of histories are closer than half the longest step, all steps would be the same.
     for _ in 0..HALVINGS {
-        if !scene.time.method.is_adaptive() || run_of_it.counts.steps as f64 >= MORE * own.counts.steps as f64 {
+        if !scene.time.method.is_adaptive() || run_of_it.counts.steps as f64 >= STEP_RATIO * own.counts.steps as f64 {
             break;
         }
         divide(&mut finer, 2);
@@ -156,14 +156,14 @@ fn with_finer_newton(observer: &Observer, finer: &mut Scene, how: String) -> Res
 }
 
 /// Number of parts into which a step must be divided until no history comes and goes within one.
-fn parts(scene: &Scene) -> Result<usize> {
+fn subdivisions(scene: &Scene) -> Result<usize> {
     let step = scene.time.step;
     let sees_all = |parts: &usize| unresolved_load(scene, step / *parts as f64).is_none();
     (2..=MOST_PARTS).find(sees_all).ok_or_else(|| {
         let short = unresolved_load(scene, step / MOST_PARTS as f64).map_or(String::new(), |short| {
             format!(
-                "{} rises and falls within less than that, in as little as {:.1e} s; a smaller `time.step` helps, or a method that \
-                 chooses its steps",
+                "{} rises and falls within less than that, in as little as {:.1e} s; a smaller `time.step` helps, or an \
+                 adaptive method",
                 short.what, short.length
             )
         });
@@ -178,7 +178,7 @@ fn divide(scene: &mut Scene, parts: usize) {
 }
 
 /// Simulation of the scene, with its explicit step divided until it is stable.
-fn stable(mut scene: Scene) -> Result<Simulation> {
+fn stable_simulation(mut scene: Scene) -> Result<Simulation> {
     match Simulation::new(&scene) {
         Err(Error::StepTooLarge { step, largest, .. }) => {
             divide(&mut scene, (step / largest).ceil() as usize);

@@ -4,10 +4,10 @@
 //! history after the end, the velocity of a translation. Heat stretches a rod by no more than its strain, whatever its
 //! weight, so that it counts only if nothing else moves the structure.
 //!
-//! The same holds for a rotation that merely continues, whose load is the centripetal force m ω² L. The slower it is,
-//! the smaller are the displacements that rounding is compared with, and the result is not lost before rounding has
-//! moved it away. A force F moves a rod by F t²/(2m) off its path of ω t L, which is ωt/2 of its fraction F/(m ω² L) of
-//! the load. The smaller of the two counts.
+//! A rotation that merely continues also counts only if nothing else moves the structure; its load is the centripetal
+//! force m ω² L. The slower it is, the smaller are the displacements that rounding is compared with, and the result is
+//! not lost before rounding has moved it away. A force F moves a rod by F t²/(2m) off its path of ω t L, which is ωt/2
+//! of its fraction F/(m ω² L) of the load. The smaller of the two counts.
 
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ use crate::model::{Force, Rod, Scene, Start, times_of};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadScale {
     /// Sum of all loads; 0 where nothing moves the structure.
-    pub all: f64,
+    pub total: f64,
     /// Smallest load: a rod's weight, the force at a point; without others, the centripetal force of a turning rod.
     pub least: f64,
     /// Angular velocity of a structure that merely continues to turn, rad/s.
@@ -28,21 +28,21 @@ impl LoadScale {
     /// Loads of a scene that moves in time.
     pub fn of(scene: &Scene) -> LoadScale {
         let acting = LoadScale::sum(of_weight(scene).chain(of_points(scene)));
-        if acting.all > 0.0 {
-            return LoadScale { all: acting.all + of_rotation(scene).sum::<f64>(), ..acting };
+        if acting.total > 0.0 {
+            return LoadScale { total: acting.total + of_rotation(scene).sum::<f64>(), ..acting };
         }
         let turning = LoadScale::sum(of_rotation(scene));
-        if turning.all > 0.0 {
-            let heated = LoadScale::sum(of_heat(scene)).all > 0.0;
+        if turning.total > 0.0 {
+            let heated = LoadScale::sum(of_heat(scene)).total > 0.0;
             return LoadScale { free_rotation: (!heated).then(|| omega(scene).abs()), ..turning };
         }
         LoadScale::sum(of_heat(scene))
     }
 
     /// Fractions that a force is of all loads, and of the smallest, at time `t`.
-    pub fn shares(&self, force: f64, t: f64) -> [f64; 2] {
+    pub fn fractions(&self, force: f64, t: f64) -> [f64; 2] {
         let grown = self.free_rotation.map_or(1.0, |omega| (0.5 * omega * t).min(1.0));
-        [self.all, self.least].map(|load| grown * force / load)
+        [self.total, self.least].map(|load| grown * force / load)
     }
 
     fn sum(parts: impl Iterator<Item = f64>) -> LoadScale {
@@ -51,13 +51,13 @@ impl LoadScale {
             return LoadScale::default();
         }
         let least = parts.iter().copied().fold(f64::INFINITY, f64::min);
-        LoadScale { all: parts.iter().sum(), least, free_rotation: None }
+        LoadScale { total: parts.iter().sum(), least, free_rotation: None }
     }
 }
 
 /// Whether anything moves the structure of a scene from its start, or bends the path of its initial motion.
-pub fn moves(scene: &Scene) -> bool {
-    LoadScale::of(scene).all > 0.0
+pub fn has_loads(scene: &Scene) -> bool {
+    LoadScale::of(scene).total > 0.0
 }
 
 /// Weight of each rod.

@@ -9,24 +9,24 @@ use crate::model::{Method, Scene};
 use crate::structure::Structure;
 
 /// Motion between two checks for collapse: of nodes relative to the element length, and of slopes. r_x and r_y then
-/// change by at most an eighth anywhere ([`Structure::moved`]). An element that goes on to collapse is noticed within
+/// change by at most an eighth anywhere ([`Structure::largest_change`]). An element that goes on to collapse is noticed within
 /// that, and one that recovers within it was hardly gone. A check in each step would make explicit runs of eight
 /// elements slower by a quarter (the paper's element) to a half (Euler–Bernoulli); these checks cost no measurable
 /// time.
-const UNSEEN: f64 = 0.01;
+const CHECK_DISTANCE: f64 = 0.01;
 
 /// Rounding error that causes a warning, relative to the sum of loads or to the smallest one.
 const WARNED: f64 = 1e-4;
 
-/// Rounding error of statics that causes a warning, relative to the displacement. It is estimated for errors of one
-/// sign, which usually have both.
+/// Rounding error of statics that causes a warning, relative to the displacement. The estimate assumes errors of one
+/// sign; real ones usually have both.
 const WARNED_IN_STATICS: f64 = 1e-3;
 
 /// Rounding error that is refused, relative to the loads: step by step it acts like a load.
-const LOST: f64 = 0.05;
+const REFUSED: f64 = 0.05;
 
 /// Rounding error of statics that is refused, relative to the displacement: no digit is left.
-const NO_DIGIT: f64 = 0.5;
+const REFUSED_IN_STATICS: f64 = 0.5;
 
 /// Monitors the steps of a run.
 pub struct Monitor {
@@ -39,18 +39,18 @@ pub struct Monitor {
 /// Largest relative rounding errors so far.
 struct Rounding {
     /// Quantity that rounding is compared with.
-    beside: Beside,
+    reference: Reference,
     /// Fractions of all loads and of the smallest one; or, twice, of the structure's size.
-    shares: [f64; 2],
+    fractions: [f64; 2],
 }
 
-enum Beside {
-    LoadScale(LoadScale),
+enum Reference {
+    Loads(LoadScale),
     /// Nothing moves the structure: it rests, or continues its motion, and its position is known. Its size, m, and a
     /// buffer.
-    Known {
+    KnownPosition {
         size: f64,
-        off: DVector<f64>,
+        deviation: DVector<f64>,
     },
 }
 
@@ -58,9 +58,9 @@ impl Monitor {
     pub fn new(scene: &Scene, structure: &Structure) -> Monitor {
         let rounding = (scene.time.method != Method::Static).then(|| {
             let loads = LoadScale::of(scene);
-            let known = || Beside::Known { size: scene.size(), off: DVector::zeros(structure.size()) };
-            let beside = if loads.all > 0.0 { Beside::LoadScale(loads) } else { known() };
-            Rounding { beside, shares: [0.0; 2] }
+            let known = || Reference::KnownPosition { size: scene.size(), deviation: DVector::zeros(structure.size()) };
+            let reference = if loads.total > 0.0 { Reference::Loads(loads) } else { known() };
+            Rounding { reference, fractions: [0.0; 2] }
         });
         Monitor { before: structure.start().clone(), rounding }
     }
@@ -71,7 +71,11 @@ impl Monitor {
     /// [`Error::Collapsed`] with the element.
     pub fn step(&mut self, structure: &Structure, state: &State) -> Result<()> {
         // What is not a number has moved.
-        if structure.moved(&self.before, &state.u) <= UNSEEN { Ok(()) } else { self.look(structure, state) }
+        if structure.largest_change(&self.before, &state.u) <= CHECK_DISTANCE {
+            Ok(())
+        } else {
+            self.check_collapse(structure, state)
+        }
     }
 
     /// Checks the state of an output row for collapse and rounding.
@@ -79,12 +83,12 @@ impl Monitor {
     /// # Errors
     /// [`Error::Collapsed`], or [`Error::LostInRounding`].
     pub fn row(&mut self, structure: &Structure, state: &State) -> Result<()> {
-        self.look(structure, state)?;
+        self.check_collapse(structure, state)?;
         self.rounding.as_mut().map_or(Ok(()), |rounding| rounding.row(structure, state))
     }
 
     /// Error of a failed step: rounding, if that is as large as the loads.
-    pub fn cause(&mut self, structure: &Structure, state: &State, error: Error) -> Error {
+    pub fn explain(&mut self, structure: &Structure, state: &State, error: Error) -> Error {
         let numerical = matches!(
             error,
             Error::NewtonFailed { .. } | Error::Singular { .. } | Error::NotFinite { .. } | Error::StepTooSmall { .. }
@@ -95,7 +99,7 @@ impl Monitor {
         }
     }
 
-    fn look(&mut self, structure: &Structure, state: &State) -> Result<()> {
+    fn check_collapse(&mut self, structure: &Structure, state: &State) -> Result<()> {
         structure.check_collapse(&self.before, &state.u, state.t)?;
         self.before.copy_from(&state.u);
         Ok(())
@@ -111,7 +115,7 @@ impl Monitor {
             return Ok(0);
         }
         let share = structure.rounding_of_equilibrium(&state.u, state.t).unwrap_or(0.0);
-        if share > NO_DIGIT {
+        if share > REFUSED_IN_STATICS {
             return Err(Error::LostInRounding { time: state.t, share, of: "displacement", statics: true });
         }
         let unstable = structure.unstable_directions(&state.u, state.t).unwrap_or(0);
@@ -123,27 +127,28 @@ impl Monitor {
 
 impl Rounding {
     fn row(&mut self, structure: &Structure, state: &State) -> Result<()> {
-        let shares = match &mut self.beside {
-            Beside::LoadScale(loads) => loads.shares(structure.rounding_force(&state.u), state.t),
-            Beside::Known { size, off } => {
-                off.copy_from(&state.u);
-                *off -= structure.start();
-                off.axpy(-state.t, structure.start_velocity(), 1.0);
-                [structure.farthest(off) / (*size + state.t * structure.farthest(structure.start_velocity())); 2]
+        let fractions = match &mut self.reference {
+            Reference::Loads(loads) => loads.fractions(structure.rounding_force(&state.u), state.t),
+            Reference::KnownPosition { size, deviation } => {
+                deviation.copy_from(&state.u);
+                *deviation -= structure.start();
+                deviation.axpy(-state.t, structure.start_velocity(), 1.0);
+                [structure.largest_displacement(deviation)
+                    / (*size + state.t * structure.largest_displacement(structure.start_velocity())); 2]
             }
         };
-        for (largest, share) in self.shares.iter_mut().zip(shares) {
+        for (largest, share) in self.fractions.iter_mut().zip(fractions) {
             *largest = largest.max(share);
         }
-        let [share, _] = self.shares;
-        if share > LOST {
-            return Err(Error::LostInRounding { time: state.t, share, of: self.beside.words(), statics: false });
+        let [share, _] = self.fractions;
+        if share > REFUSED {
+            return Err(Error::LostInRounding { time: state.t, share, of: self.reference.words(), statics: false });
         }
         Ok(())
     }
 
     fn warning(&self) -> Option<String> {
-        let ([share, of_least], of) = (self.shares, self.beside.words());
+        let ([share, of_least], of) = (self.fractions, self.reference.words());
         let least = if of_least > WARNED.max(1.5 * share) {
             format!("{of}, {of_least:.0e} of the least of them")
         } else {
@@ -153,11 +158,11 @@ impl Rounding {
     }
 }
 
-impl Beside {
+impl Reference {
     fn words(&self) -> &'static str {
         match self {
-            Beside::LoadScale(_) => "loads",
-            Beside::Known { .. } => "size of the structure, which nothing moves",
+            Reference::Loads(_) => "loads",
+            Reference::KnownPosition { .. } => "size of the structure, which nothing moves",
         }
     }
 }
@@ -172,7 +177,7 @@ fn rounding_warning(share: f64, of: &str) -> String {
 /// Warning about an equilibrium that would not stay, as a column above its Euler load.
 fn stability_warning(directions: usize) -> String {
     format!(
-        "the equilibrium found is unstable, in {directions} direction(s): the structure is pressed beyond its buckling load and would \
-         bend out of this position; a small force across shows where to"
+        "the equilibrium found is unstable, in {directions} direction(s): the structure is loaded beyond its buckling load and would \
+         leave this position; a small lateral force shows in which direction"
     )
 }

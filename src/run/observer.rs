@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use nalgebra::DVector;
 
-use super::load_scale::{mass, moves};
+use super::load_scale::{has_loads, mass};
 use super::result::Run;
 use super::simulation::{Simulation, run_watched};
 use crate::error::{Error, Result};
@@ -16,31 +16,31 @@ use crate::structure::{PointId, RodId, Structure};
 pub(super) const SAFETY: f64 = 2.0;
 
 /// Largest estimated error relative to the motion: above it no digit is reliable.
-const NO_DIGIT: f64 = 0.1;
+const INACCURATE: f64 = 0.1;
 
 /// Least motion, relative to the structure's size, that an error is compared with.
-const HARDLY: f64 = 1e-6;
+const LEAST_MOTION: f64 = 1e-6;
 
 /// Most observed vectors of a run, which are kept in memory: 32 MB.
-const MOST_SEEN: usize = 2_000_000;
+const MOST_OBSERVATIONS: usize = 2_000_000;
 
 /// Quantities and instants to be observed in all runs of an estimate.
 pub(super) struct Observer<'a> {
     /// Scene of the run itself.
     pub(super) scene: &'a Scene,
-    places: Vec<Place>,
+    observables: Vec<Observable>,
     /// Steps of the run itself between observations; rows are observed too.
     every: usize,
 }
 
 /// Observed quantity: a position or a deflection.
-struct Place {
-    of: Of,
+struct Observable {
+    kind: ObservableKind,
     /// Initial velocity of the centre of mass of its connected part, m/s.
     velocity: [f64; 2],
 }
 
-enum Of {
+enum ObservableKind {
     Point(String),
     /// Deflection of a rod at a fraction of its length.
     Rod(String, f64),
@@ -54,21 +54,21 @@ pub(super) struct Observations {
     /// Whether each instant is an output row of the run itself.
     rows: Vec<bool>,
     /// All quantities at the first instant, then at the second, …, m; a deflection has one component.
-    places: Vec<[f64; 2]>,
+    values: Vec<[f64; 2]>,
 }
 
 impl Observations {
     /// One quantity at all instants.
-    fn of(&self, place: usize) -> impl Iterator<Item = [f64; 2]> {
-        self.places.iter().copied().skip(place).step_by((self.places.len() / self.times.len().max(1)).max(1))
+    fn of(&self, observable: usize) -> impl Iterator<Item = [f64; 2]> {
+        self.values.iter().copied().skip(observable).step_by((self.values.len() / self.times.len().max(1)).max(1))
     }
 }
 
-impl Place {
+impl Observable {
     fn name(&self) -> String {
-        match &self.of {
-            Of::Point(name) => format!("position of `{name}`"),
-            Of::Rod(name, _) => format!("deflection of the rod `{name}`"),
+        match &self.kind {
+            ObservableKind::Point(name) => format!("position of `{name}`"),
+            ObservableKind::Rod(name, _) => format!("deflection of the rod `{name}`"),
         }
     }
 }
@@ -81,10 +81,10 @@ enum Located {
 }
 
 impl Located {
-    fn of(place: &Place, structure: &Structure) -> Result<Located> {
-        Ok(match &place.of {
-            Of::Point(name) => Located::Point(structure.point(name)?),
-            Of::Rod(name, at) => Located::Rod(structure.rod(name)?, *at),
+    fn of(observable: &Observable, structure: &Structure) -> Result<Located> {
+        Ok(match &observable.kind {
+            ObservableKind::Point(name) => Located::Point(structure.point(name)?),
+            ObservableKind::Rod(name, at) => Located::Rod(structure.rod(name)?, *at),
         })
     }
 
@@ -100,9 +100,12 @@ impl Observer<'_> {
     /// Observes all points, the deflections that probes ask for, and those of rods held at both ends, which no point
     /// shows.
     pub(super) fn of(scene: &Scene) -> Observer<'_> {
-        let point =
-            |name: &String| Place { of: Of::Point(name.clone()), velocity: drift(scene, name).unwrap_or_default() };
-        let rod = |name: &String, at: f64| Place { of: Of::Rod(name.clone(), at), velocity: [0.0; 2] };
+        let point = |name: &String| Observable {
+            kind: ObservableKind::Point(name.clone()),
+            velocity: drift(scene, name).unwrap_or_default(),
+        };
+        let rod =
+            |name: &String, at: f64| Observable { kind: ObservableKind::Rod(name.clone(), at), velocity: [0.0; 2] };
         let pivots: BTreeSet<&String> = scene.rods.iter().filter_map(|rod| rod.pivot.as_ref()).collect();
         let points = scene.points.keys().chain(pivots).map(point);
         let bends = scene.probes.iter().filter(|probe| probe.of.contains(&Quantity::Deflection));
@@ -114,10 +117,10 @@ impl Observer<'_> {
         let held = scene.rods.iter().filter(|rod| is_held(&rod.from) && is_held(&rod.to));
         // A single bow, and a wave with a node in the middle.
         let bows = held.flat_map(|held| [0.5, 0.25].map(|at| rod(&held.name, at)));
-        let places: Vec<Place> = points.chain(probed).chain(bows).collect();
+        let observables: Vec<Observable> = points.chain(probed).chain(bows).collect();
 
-        let every = (scene.steps() * places.len()).div_ceil(MOST_SEEN).max(1);
-        Observer { scene, places, every }
+        let every = (scene.steps() * observables.len()).div_ceil(MOST_OBSERVATIONS).max(1);
+        Observer { scene, observables, every }
     }
 
     pub(super) fn run(&self, scene: &Scene) -> Result<(Run, Observations)> {
@@ -127,23 +130,26 @@ impl Observer<'_> {
     /// Runs the scene, or a finer one with several steps per step, and observes it.
     pub(super) fn run_with_progress(&self, run: Simulation, on_step: impl FnMut(usize)) -> Result<(Run, Observations)> {
         let parts = (run.model().scene().steps() / self.scene.steps()).max(1);
-        let places: Vec<Located> =
-            self.places.iter().map(|place| Located::of(place, run.structure())).collect::<Result<_>>()?;
-        let looks_at = |step: usize| step.is_multiple_of(self.every) || self.scene.is_row(step);
+        let located: Vec<Located> = self
+            .observables
+            .iter()
+            .map(|observable| Located::of(observable, run.structure()))
+            .collect::<Result<_>>()?;
+        let observes = |step: usize| step.is_multiple_of(self.every) || self.scene.is_row(step);
         let mut seen = Observations::default();
         let run = run_watched(run, on_step, |now| {
             let step = now.steps_done();
-            if step.is_multiple_of(parts) && looks_at(step / parts) {
+            if step.is_multiple_of(parts) && observes(step / parts) {
                 seen.times.push(now.time());
                 seen.rows.push(self.scene.is_row(step / parts));
-                seen.places.extend(places.iter().map(|place| place.at(now.structure(), &now.state().u)));
+                seen.values.extend(located.iter().map(|observable| observable.at(now.structure(), &now.state().u)));
             }
         })?;
         Ok((run, seen))
     }
 
     /// Instants of observation, in words.
-    pub(super) fn when(&self) -> String {
+    pub(super) fn schedule(&self) -> String {
         match (self.scene.time.method, self.every) {
             (Method::Static, 1) => "compared after each load step".into(),
             (method, 1) if method.is_adaptive() => "compared at the rows".into(),
@@ -156,14 +162,14 @@ impl Observer<'_> {
     /// others). NaN if a distance is.
     pub(super) fn changes(&self, own: &Observations, finer: &Observations, counts: impl Fn(bool) -> bool) -> Vec<f64> {
         if own.times.len() != finer.times.len() {
-            return vec![f64::NAN; self.places.len()];
+            return vec![f64::NAN; self.observables.len()];
         }
         let apart = |([x, y], [other_x, other_y]): ([f64; 2], [f64; 2])| (x - other_x).hypot(y - other_y);
-        let change = |place: usize| {
-            let pairs = own.of(place).zip(finer.of(place)).zip(&own.rows);
+        let change = |observable: usize| {
+            let pairs = own.of(observable).zip(finer.of(observable)).zip(&own.rows);
             SAFETY * largest(pairs.filter(|(_, is_row)| counts(**is_row)).map(|(pair, _)| apart(pair)))
         };
-        (0..self.places.len()).map(change).collect()
+        (0..self.observables.len()).map(change).collect()
     }
 
     /// Refuses errors that leave no reliable digit of a motion.
@@ -172,34 +178,34 @@ impl Observer<'_> {
     /// [`Error::Inaccurate`] for the worst quantity.
     pub(super) fn judge(&self, seen: &Observations, time: &[f64], space: &[f64]) -> Result<()> {
         // Distance from the start, or from the position without loads.
-        let way = |place: usize, free_rotation: f64| {
-            let [x_0, y_0] = seen.of(place).next().unwrap_or_default();
-            let [v_x, v_y] = self.places[place].velocity.map(|velocity| free_rotation * velocity);
+        let motion_of = |observable: usize, free_rotation: f64| {
+            let [x_0, y_0] = seen.of(observable).next().unwrap_or_default();
+            let [v_x, v_y] = self.observables[observable].velocity.map(|velocity| free_rotation * velocity);
             let gone = |([x, y], t): ([f64; 2], &f64)| (x - x_0 - t * v_x).hypot(y - y_0 - t * v_y);
-            largest(seen.of(place).zip(&seen.times).map(gone))
+            largest(seen.of(observable).zip(&seen.times).map(gone))
         };
-        let farthest = largest((0..self.places.len()).map(|place| way(place, 0.0)));
-        let (size, resting) = (self.scene.size(), !moves(self.scene));
-        let judged = |((place, time), space): ((usize, &f64), &f64)| {
-            let own = way(place, 0.0).min(way(place, 1.0));
+        let farthest = largest((0..self.observables.len()).map(|observable| motion_of(observable, 0.0)));
+        let (size, resting) = (self.scene.size(), !has_loads(self.scene));
+        let judged = |((observable, time), space): ((usize, &f64), &f64)| {
+            let own = motion_of(observable, 0.0).min(motion_of(observable, 1.0));
             // Where nothing moves the structure there is no motion to compare with.
             let moved = if resting {
                 farthest.max(size)
-            } else if own >= HARDLY * size {
+            } else if own >= LEAST_MOTION * size {
                 own
             } else {
                 farthest
             };
             // A NaN is not small.
-            let small = time + space <= NO_DIGIT * moved;
-            let name = || self.places[place].name();
+            let small = time + space <= INACCURATE * moved;
+            let name = || self.observables[observable].name();
             (!small).then(|| Error::Inaccurate { place: name(), time: *time, space: *space, moved })
         };
         let share = |error: &Error| match error {
             Error::Inaccurate { time, space, moved, .. } => (time + space) / moved,
             _ => 0.0,
         };
-        let bad = (0..self.places.len()).zip(time).zip(space).filter_map(judged);
+        let bad = (0..self.observables.len()).zip(time).zip(space).filter_map(judged);
         bad.max_by(|a, b| share(a).total_cmp(&share(b))).map_or(Ok(()), Err)
     }
 }
@@ -208,19 +214,19 @@ impl Observer<'_> {
 fn drift(scene: &Scene, point: &String) -> Option<[f64; 2]> {
     let motion = scene.motion.as_ref()?;
     let mut points = BTreeSet::from([point]);
-    let hangs = |points: &BTreeSet<&String>, rod: &Rod| ends(rod).any(|point| points.contains(point));
+    let touches = |points: &BTreeSet<&String>, rod: &Rod| ends(rod).any(|point| points.contains(point));
     // As many rounds as the longest chain of rods needs.
     for _ in &scene.rods {
-        let more: Vec<&String> = scene.rods.iter().filter(|rod| hangs(&points, rod)).flat_map(ends).collect();
+        let more: Vec<&String> = scene.rods.iter().filter(|rod| touches(&points, rod)).flat_map(ends).collect();
         points.extend(more);
     }
-    let (mut momentum, mut whole) = ([0.0; 2], 0.0);
-    for rod in scene.rods.iter().filter(|rod| hangs(&points, rod)) {
+    let (mut momentum, mut total_mass) = ([0.0; 2], 0.0);
+    for rod in scene.rods.iter().filter(|rod| touches(&points, rod)) {
         let (mass, [x, y]) = (mass(scene, rod), motion.at(scene.middle(rod)?));
         momentum = [momentum[0] + mass * x, momentum[1] + mass * y];
-        whole += mass;
+        total_mass += mass;
     }
-    Some(momentum.map(|component| component / whole))
+    Some(momentum.map(|component| component / total_mass))
 }
 
 /// Points of a rod.

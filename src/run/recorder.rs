@@ -56,20 +56,20 @@ impl Recorder {
     }
 
     /// Whether the work of forces or heat is needed.
-    pub fn works(&self) -> bool {
-        self.energy.as_ref().is_some_and(|energy| energy.works)
+    pub fn has_work(&self) -> bool {
+        self.energy.as_ref().is_some_and(|energy| energy.has_work)
     }
 
     /// Adds work known from the method.
-    pub fn put_in(&mut self, work: f64) {
+    pub fn add_work(&mut self, work: f64) {
         if let Some(energy) = &mut self.energy {
-            energy.put_in(work);
+            energy.add_work(work);
         }
     }
 
-    pub fn work(&mut self, structure: &Structure, before: &State, after: &State) {
+    pub fn add_step_work(&mut self, structure: &Structure, before: &State, after: &State) {
         if let Some(energy) = &mut self.energy {
-            energy.work(structure, before, after);
+            energy.add_step_work(structure, before, after);
         }
     }
 

@@ -7,7 +7,7 @@ use super::monitor::Monitor;
 use super::recorder::Recorder;
 use super::result::Run;
 use super::warnings::warnings;
-use crate::error::{Error, Result, written};
+use crate::error::{Error, Result, time_text};
 use crate::integrators::{Counts, EquationOfMotion, Integrator, State, integrator, same_time};
 use crate::model::plan::Plan;
 use crate::model::{Method, Model, Scene};
@@ -180,19 +180,19 @@ impl Simulation {
     pub fn run_until(&mut self, t: f64) -> Result<()> {
         let scene = self.model.scene();
         let (now, end) = (self.state.t, scene.time_after(scene.steps()));
-        let is = |other: f64| (t - other).abs() <= same_time(t.abs().max(other.abs()));
-        if !(is(now) || is(end) || (now < t && t < end)) {
-            let allowed = format!("from {} s, the time now, to {} s, the end", written(now), written(end));
+        let equals = |other: f64| (t - other).abs() <= same_time(t.abs().max(other.abs()));
+        if !(equals(now) || equals(end) || (now < t && t < end)) {
+            let allowed = format!("from {} s, the time now, to {} s, the end", time_text(now), time_text(end));
             return Err(Error::NotATime { time: t, allowed });
         }
         let nearest = (t / scene.time_after(1)).round() as usize;
-        let whole = if is(scene.time_after(nearest)) {
+        let whole = if equals(scene.time_after(nearest)) {
             nearest
         } else if scene.time.method.is_adaptive() {
             (t / scene.time_after(1)) as usize
         } else {
             let before = (t / scene.time_after(1)) as usize;
-            let [before, after] = [before, before + 1].map(|steps| written(scene.time_after(steps)));
+            let [before, after] = [before, before + 1].map(|steps| time_text(scene.time_after(steps)));
             return Err(Error::NotATime {
                 time: t,
                 allowed: format!("{before} or {after} s, the nearest ends of steps"),
@@ -201,7 +201,7 @@ impl Simulation {
         while self.done < whole {
             self.step()?;
         }
-        if self.state.t < t && !is(self.state.t) {
+        if self.state.t < t && !equals(self.state.t) {
             self.advance(t, false)?;
         }
         Ok(())
@@ -224,15 +224,15 @@ impl Simulation {
     fn advance(&mut self, t: f64, is_row: bool) -> Result<()> {
         let Simulation { structure, method, state, before, counts, recorder, monitor, .. } = self;
         while state.t < t {
-            let works = recorder.works();
-            if works {
+            let has_work = recorder.has_work();
+            if has_work {
                 before.copy_from(state);
             }
-            method.step(structure, state, t, counts).map_err(|error| monitor.cause(structure, state, error))?;
-            if works {
+            method.step(structure, state, t, counts).map_err(|error| monitor.explain(structure, state, error))?;
+            if has_work {
                 match method.work(structure, before, state) {
-                    Some(work) => recorder.put_in(work),
-                    None => recorder.work(structure, before, state),
+                    Some(work) => recorder.add_work(work),
+                    None => recorder.add_step_work(structure, before, state),
                 }
             }
             // A row is checked when it is recorded.
@@ -337,7 +337,7 @@ impl Simulation {
     /// [`Error::Unknown`] if there is no rod of this name; [`Error::Scene`] for a fraction outside 0 … 1.
     pub fn deflection(&self, rod: &str, at: f64) -> Result<f64> {
         if !(0.0..=1.0).contains(&at) {
-            let allowed = "a number from 0 to 1, with both: the place as a fraction of the rod's length".into();
+            let allowed = "a number from 0 to 1, both included: the place as a fraction of the rod's length".into();
             return Err(Error::Scene {
                 file: "deflection".into(),
                 key: "at".into(),

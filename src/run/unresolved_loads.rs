@@ -10,11 +10,11 @@ use crate::integrators::same_time;
 use crate::model::{Method, Scene, Start, interpolate, times_of};
 
 /// Relative difference of lengths that count as equal: digits lost in writing times.
-const ROUNDED: f64 = 1e-6;
+const LENGTH_TOLERANCE: f64 = 1e-6;
 
 /// Largest distance of a corner from the end of a step, in steps, at which it is resolved: the error of a scene's
 /// times.
-const AT_END: f64 = 1e-3;
+const END_TOLERANCE: f64 = 1e-3;
 
 /// Stretch of a history that steps may miss.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,7 @@ pub fn unresolved_load(scene: &Scene, step: f64) -> Option<UnresolvedLoad> {
         ))
     });
     let short = forces.chain(heats).filter_map(|(what, history, relaxed)| {
-        let turns = turns(history, scene.time.end, relaxed);
+        let turns = turning_times(history, scene.time.end, relaxed);
         let pairs = turns.windows(3).filter(|turns| is_missed(turns, step));
         // The jump at the start has no length.
         let length = pairs.flat_map(lengths).filter(|length| *length > 0.0).reduce(f64::min)?;
@@ -58,8 +58,8 @@ pub fn unresolved_load(scene: &Scene, step: f64) -> Option<UnresolvedLoad> {
 /// Whether two adjacent stretches, between these times, come and go unseen.
 fn is_missed(turns: &[f64], step: f64) -> bool {
     let all_below = |share: f64| lengths(turns).all(|length| length < share * step);
-    let within = |t: &f64| (t / step - (t / step).round()).abs() > AT_END;
-    all_below(1.0 - ROUNDED) || all_below(1.0 + ROUNDED) && turns.iter().any(within)
+    let within = |t: &f64| (t / step - (t / step).round()).abs() > END_TOLERANCE;
+    all_below(1.0 - LENGTH_TOLERANCE) || all_below(1.0 + LENGTH_TOLERANCE) && turns.iter().any(within)
 }
 
 fn lengths(turns: &[f64]) -> impl Iterator<Item = f64> {
@@ -68,31 +68,31 @@ fn lengths(turns: &[f64]) -> impl Iterator<Item = f64> {
 
 /// Times between which a history rises, falls or stays constant, from start to end, s. The initial value is a jump of
 /// no duration, except for the heat of a relaxed start.
-fn turns(history: &[[f64; 2]], end: f64, relaxed: bool) -> Vec<f64> {
+fn turning_times(history: &[[f64; 2]], end: f64, relaxed: bool) -> Vec<f64> {
     let value = |t: f64| interpolate(history, t).unwrap_or(0.0);
     let times = times_of([history], end);
     let jump = if relaxed { 0.0 } else { value(0.0) };
     let changes = times.windows(2).map(|ends| (value(ends[1]) - value(ends[0]), ends[1]));
     let (mut turns, mut before) = (vec![0.0], None);
     for (change, t) in [(jump, 0.0)].into_iter().filter(|(jump, _)| *jump != 0.0).chain(changes) {
-        let way = change.partial_cmp(&0.0);
+        let trend = change.partial_cmp(&0.0);
         match turns.last_mut() {
-            Some(last) if before == Some(way) => *last = t,
+            Some(last) if before == Some(trend) => *last = t,
             _ => turns.push(t),
         }
-        before = Some(way);
+        before = Some(trend);
     }
     turns
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{is_missed, lengths, turns};
+    use super::{is_missed, lengths, turning_times};
 
     #[test]
     fn histories_are_cut_where_they_turn() {
         let stretches =
-            |history: &[[f64; 2]], relaxed| -> Vec<f64> { lengths(&turns(history, 1.0, relaxed)).collect() };
+            |history: &[[f64; 2]], relaxed| -> Vec<f64> { lengths(&turning_times(history, 1.0, relaxed)).collect() };
         let cut = |history: &[[f64; 2]]| stretches(history, false);
         assert_eq!(cut(&[[0.25, 0.0], [0.5, 1.0], [0.75, 0.0]]), [0.25, 0.25, 0.25, 0.25]);
         // A rise that continues is one stretch; what is after the end is none.

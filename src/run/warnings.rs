@@ -30,13 +30,13 @@ fn unresolved_load_warning(scene: &Scene) -> Option<String> {
     let (what, length) = (short.what, short.length);
     Some(if scene.time.method.is_adaptive() {
         format!(
-            "{what} rises and falls within the rounding of times, in as little as {length:.1e} s: steps may pass over it; longer times do \
-             not, with smaller values"
+            "{what} rises and falls within the rounding of times, in as little as {length:.1e} s: steps may skip it; stretch it over a \
+             longer time, with smaller values"
         )
     } else {
         format!(
             "{what} rises and falls within no more than the step of {step:e} s, in as little as {length:.1e} s: steps may miss it \
-             altogether, or take it for another; a smaller step, or a method that chooses its steps, does not"
+             altogether, or take it for another load; a smaller step, or an adaptive method, resolves it"
         )
     })
 }
@@ -49,7 +49,7 @@ fn locking_warning(scene: &Scene) -> Option<String> {
     let nu = scene.material(rod).nu;
     let share = 100.0 * (1.0 - 2.0 * nu) / (1.0 - nu).powi(2);
     Some(format!(
-        "with nu = {nu} the paper's element locks: a slender rod bends {share:.1} % of what it should (rod `{}`); \
+        "with nu = {nu} the paper's element locks: a slender rod bends by only {share:.1} % of the correct deflection (rod `{}`); \
          \"poisson\": \"axis\" cures it",
         rod.name
     ))
@@ -58,8 +58,8 @@ fn locking_warning(scene: &Scene) -> Option<String> {
 /// Warning about the printed shear term, with which a rod's stiffness depends on its inclination.
 fn form_warning(scene: &Scene) -> Option<String> {
     (scene.form == Form::PrintedShear).then(|| {
-        "\"form\": \"printed-shear\" counts the shear once, as printed: a rod at 45° gives in 1.33 times as much in bending and 1.50 \
-         times along its axis; the results are for comparison"
+        "\"form\": \"printed-shear\" counts the shear once, as printed: a rod at 45° is 1.33 times as flexible in bending and 1.50 \
+         times along its axis; the results are for comparison only"
             .into()
     })
 }
@@ -79,8 +79,8 @@ fn shock_warning(scene: &Scene) -> Option<String> {
     if shock && step * needed > crossing {
         return Some(format!(
             "sudden heat starts an axial wave that crosses an element in {crossing:.1e} s, which the step of {step:e} s \
-             does not resolve: where it moves the structure across, positions may be off by millimetres and more, which no energy \
-             balance shows; compare with a smaller step, or use \"explicit\""
+             does not resolve: where it moves the structure sideways, positions may be off by millimetres or more, and no energy \
+             balance shows it; compare with a smaller step, or use \"explicit\""
         ));
     }
     None

@@ -63,10 +63,10 @@ impl Structure {
         check_memory(size, layout.border_band, layout.bytes().saturating_add(eliminated))?;
         let mut structure = Structure {
             plan: *plan,
-            shortest: rods.iter().map(|rod| rod.along.norm()).fold(f64::INFINITY, f64::min),
-            rounded: rods.iter().map(|rod| rod.mesh.rounded()).fold(0.0, f64::max),
-            weights: DVector::from_iterator(kinds.len(), kinds.iter().map(UnknownKind::weight)),
-            shares: shares(&rods, &kinds),
+            shortest_element: rods.iter().map(|rod| rod.along.norm()).fold(f64::INFINITY, f64::min),
+            rounding_scale: rods.iter().map(|rod| rod.mesh.rounding_scale()).fold(0.0, f64::max),
+            force_weights: DVector::from_iterator(kinds.len(), kinds.iter().map(UnknownKind::weight)),
+            motion_factors: motion_factors(&rods, &kinds),
             rods: rods.into(),
             kinds,
             points: points.into_iter().collect(),
@@ -82,14 +82,14 @@ impl Structure {
             unit_forces: DVector::zeros(size),
         };
         structure.rods.iter().for_each(|rod| rod.mesh.add_gravity(&mut structure.gravity));
-        let places = scene.forces.iter().map(|force| Ok(structure.components(structure.point(&force.point)?)));
+        let places = scene.forces.iter().map(|force| Ok(structure.point_dofs(structure.point(&force.point)?)));
         structure.force_places = places.collect::<Result<_>>()?;
         structure.unit_forces = structure.unit_forces();
         if scene.rods.iter().any(|rod| scene.heat(rod).is_some_and(|heat| heat.start == Start::Relaxed)) {
-            structure.start = structure.relaxed(scene);
+            structure.start = structure.stress_free_start(scene);
         }
         if let Some(motion) = &scene.motion {
-            structure.start_velocity = structure.moving(scene, motion);
+            structure.start_velocity = structure.rigid_velocities(scene, motion);
         }
         Ok(structure)
     }
@@ -111,7 +111,7 @@ impl Structure {
 
     /// Displacement to the stress-free configuration at ΔT(0): a stretch in each heated direction, about the supported
     /// point (or the rod's first point).
-    fn relaxed(&self, scene: &Scene) -> DVector<f64> {
+    fn stress_free_start(&self, scene: &Scene) -> DVector<f64> {
         let mut u = DVector::zeros(self.size());
         let thermal = self.thermal_strains(0.0);
         for ((rod, data), eps_t) in scene.rods.iter().zip(&*self.rods).zip(thermal) {
@@ -129,7 +129,7 @@ impl Structure {
 
 impl Structure {
     /// Velocities of the initial rigid motion.
-    fn moving(&self, scene: &Scene, motion: &Motion) -> DVector<f64> {
+    fn rigid_velocities(&self, scene: &Scene, motion: &Motion) -> DVector<f64> {
         let mut v = DVector::zeros(self.size());
         for (rod, data) in scene.rods.iter().zip(&*self.rods) {
             let t = data.along.normalize();
@@ -150,21 +150,21 @@ impl Structure {
     }
 }
 
-/// Factors of [`Structure::moved`], by unknown: those of the shortest element where several meet.
-fn shares(rods: &[Rod], kinds: &[UnknownKind]) -> DVector<f64> {
-    let mut shares = DVector::zeros(kinds.len());
+/// Factors of [`Structure::largest_change`], by unknown: those of the shortest element where several meet.
+fn motion_factors(rods: &[Rod], kinds: &[UnknownKind]) -> DVector<f64> {
+    let mut factors = DVector::zeros(kinds.len());
     for rod in rods {
         let l = rod.along.norm();
         for unknown in rod.chain.iter().flat_map(|vector| vector.unknowns).flatten() {
-            let share = match kinds[unknown] {
+            let factor = match kinds[unknown] {
                 UnknownKind::Position => 1.0 / l,
                 UnknownKind::Slope(length) => f64::max(1.0, length / l),
                 UnknownKind::Multiplier => 0.0,
             };
-            shares[unknown] = f64::max(shares[unknown], share);
+            factors[unknown] = f64::max(factors[unknown], factor);
         }
     }
-    shares
+    factors
 }
 
 /// Start, end, and the corners of all histories in between.
@@ -178,8 +178,8 @@ fn times(scene: &Scene) -> Vec<f64> {
 fn points(scene: &Scene, rods: &[Rod]) -> BTreeMap<String, Point> {
     let mut points = BTreeMap::new();
     for (number, (rod, data)) in scene.rods.iter().zip(rods).enumerate() {
-        let mut meet = |name: &String, start: Option<[f64; 2]>, place: f64| {
-            let new = || Point { start: start.unwrap_or_default(), nodes: Vec::new() };
+        let mut meet = |name: &String, initial: Option<[f64; 2]>, place: f64| {
+            let new = || Point { initial: initial.unwrap_or_default(), nodes: Vec::new() };
             let node = data.node(place).map(|(position, slope)| Node { rod: number, position, slope });
             points.entry(name.clone()).or_insert_with(new).nodes.extend(node);
         };

@@ -11,21 +11,21 @@ impl Structure {
     ///
     /// If it is δ, no r_x changes by more than 13 δ and no r_y by more than 1.3 δ at any quadrature point. These are
     /// the sums of |∂S/∂x| and |∂S/∂y| over an element's nodal vectors, weighted as above.
-    pub fn moved(&self, before: &DVector<f64>, u: &DVector<f64>) -> f64 {
+    pub fn largest_change(&self, before: &DVector<f64>, u: &DVector<f64>) -> f64 {
         // Four independent maxima at a time: a single one would make every comparison wait for the one before.
         let (mut largest, mut sum) = ([0.0_f64; 4], [0.0_f64; 4]);
-        let mut look_at = |before: &[f64], u: &[f64], shares: &[f64]| {
-            for (n, ((before, u), share)) in before.iter().zip(u).zip(shares).enumerate() {
-                let moved = ((u - before) * share).abs();
+        let mut accumulate = |before: &[f64], u: &[f64], factors: &[f64]| {
+            for (n, ((before, u), factor)) in before.iter().zip(u).zip(factors).enumerate() {
+                let moved = ((u - before) * factor).abs();
                 largest[n] = if moved > largest[n] { moved } else { largest[n] };
                 sum[n] += moved;
             }
         };
         let (before, last_before) = before.as_slice().as_chunks::<4>();
         let (u, last) = u.as_slice().as_chunks::<4>();
-        let (shares, last_shares) = self.shares.as_slice().as_chunks::<4>();
-        before.iter().zip(u).zip(shares).for_each(|((before, u), shares)| look_at(before, u, shares));
-        look_at(last_before, last, last_shares);
+        let (factors, last_shares) = self.motion_factors.as_slice().as_chunks::<4>();
+        before.iter().zip(u).zip(factors).for_each(|((before, u), factors)| accumulate(before, u, factors));
+        accumulate(last_before, last, last_shares);
         // A comparison drops a NaN; a sum does not.
         let sum: f64 = sum.iter().sum();
         if sum.is_nan() { sum } else { largest.into_iter().fold(0.0, f64::max) }

@@ -12,7 +12,7 @@ pub struct ConstraintRow {
 
 impl ConstraintRow {
     /// Value of the row of Φ_q x.
-    pub fn of(&self, x: &DVector<f64>) -> f64 {
+    pub fn apply(&self, x: &DVector<f64>) -> f64 {
         self.terms.iter().map(|&(_, unknown, weight)| weight * x[unknown]).sum()
     }
 }

@@ -14,7 +14,7 @@ use crate::linear::Bordered;
 use crate::model::{Element, Scene, Support};
 
 /// Constraint Σ weight · nodal vector = 0.
-pub(super) struct Row {
+pub(super) struct Constraint {
     pub terms: Vec<Term>,
 }
 
@@ -26,24 +26,24 @@ pub(super) struct Term {
 }
 
 /// All constraints of a scene.
-pub(super) fn rows(scene: &Scene, points: &BTreeMap<String, Point>) -> Vec<Row> {
+pub(super) fn rows(scene: &Scene, points: &BTreeMap<String, Point>) -> Vec<Constraint> {
     let pins = points.values().flat_map(|point| point.nodes.windows(2)).flat_map(|pair| pin(pair[0], pair[1]));
     pins.chain(supports(scene, points)).collect()
 }
 
 /// Both constraints of a pin between the nodes of two rods.
-pub(super) fn pin(first: Node, second: Node) -> [Row; 2] {
-    [Vector2::x(), Vector2::y()].map(|axis| Row { terms: vec![position(second, axis), position(first, -axis)] })
+pub(super) fn pin(first: Node, second: Node) -> [Constraint; 2] {
+    [Vector2::x(), Vector2::y()].map(|axis| Constraint { terms: vec![position(second, axis), position(first, -axis)] })
 }
 
 /// Constraints of all supports.
-pub(super) fn supports(scene: &Scene, points: &BTreeMap<String, Point>) -> impl Iterator<Item = Row> {
+pub(super) fn supports(scene: &Scene, points: &BTreeMap<String, Point>) -> impl Iterator<Item = Constraint> {
     scene.supports.iter().flat_map(|support| {
         let node = points[&support.point].nodes[0];
         let held = held_directions(support).into_iter().map(move |direction| position(node, direction));
         let clamp = clamped(scene, points, support);
         let clamp = clamp.map(|(node, weight)| Term { rod: node.rod, vector: node.slope, weight });
-        held.chain(clamp).map(|term| Row { terms: vec![term] })
+        held.chain(clamp).map(|term| Constraint { terms: vec![term] })
     })
 }
 
@@ -92,7 +92,7 @@ impl Structure {
     /// Writes Φ_q `x` into the constraint rows of `value`.
     pub fn set_constraint_rows(&self, x: &DVector<f64>, value: &mut DVector<f64>) {
         for row in &self.rows {
-            value[row.multiplier] = row.of(x);
+            value[row.multiplier] = row.apply(x);
         }
     }
 
@@ -123,6 +123,6 @@ impl Structure {
 
     /// Largest |Φ(q)|, m, and |Φ_q v|, m/s, in the form with multipliers, at displacement `u` and velocity `v`.
     pub fn constraint_residual(&self, u: &DVector<f64>, v: &DVector<f64>) -> [f64; 2] {
-        [u, v].map(|x| self.rows.iter().map(|row| row.of(x).abs()).max_by(f64::total_cmp).unwrap_or(0.0))
+        [u, v].map(|x| self.rows.iter().map(|row| row.apply(x).abs()).max_by(f64::total_cmp).unwrap_or(0.0))
     }
 }

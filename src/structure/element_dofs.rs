@@ -4,12 +4,12 @@ use nalgebra::{DVector, Rotation2, SMatrix, SVector};
 
 use super::node_dofs::NodeDofs;
 use crate::elements::{Ends, LANES};
-use crate::linear::NONE;
+use crate::linear::NO_UNKNOWN;
 
 /// Unknowns of an element's coordinates.
 #[derive(Clone, Debug)]
 pub(super) struct ElementDofs<const N: usize> {
-    /// Unknown of each coordinate; [`NONE`] if held.
+    /// Unknown of each coordinate; [`NO_UNKNOWN`] if held.
     pub unknowns: [u32; N],
     /// Nodal vectors with axes of their own: index and rotation to the global axes.
     pub turns: Vec<(usize, Rotation2<f64>)>,
@@ -17,7 +17,7 @@ pub(super) struct ElementDofs<const N: usize> {
 
 impl<const N: usize> ElementDofs<N> {
     pub fn of(vectors: &[NodeDofs]) -> ElementDofs<N> {
-        let unknown = |i: usize| vectors[i / 2].unknowns[i % 2].map_or(NONE, |unknown| unknown as u32);
+        let unknown = |i: usize| vectors[i / 2].unknowns[i % 2].map_or(NO_UNKNOWN, |unknown| unknown as u32);
         let turns = vectors.iter().enumerate().filter_map(|(n, vector)| Some((n, vector.turn?)));
         ElementDofs { unknowns: std::array::from_fn(unknown), turns: turns.collect() }
     }

@@ -15,18 +15,18 @@ type RodState = ([f64; 2], ThermalStrain);
 
 /// Multiples of the stress-free strain at which a heated rod is examined: at rest, stress-free, and twice that, to
 /// which sudden heat overshoots.
-const SHARES: [f64; 3] = [0.0, 1.0, 2.0];
+const STRAIN_FACTORS: [f64; 3] = [0.0, 1.0, 2.0];
 
 /// Margin for bent rods, which vibrate a little faster than straight ones: an exact limit has no margin of its own.
 /// Without it, scissors of two elements per rod diverged at the limit itself, although they bend by no more than κl =
 /// 0.04.
-const BENT: f64 = 1.01;
+const BENDING_MARGIN: f64 = 1.01;
 
 /// Most different heats of a structure that are examined one by one.
 const MOST_HEATS: usize = 32;
 
 /// Relative increases of an eigenvalue tried until it is certainly an upper bound.
-const EXCESSES: [f64; 6] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
+const MARGINS: [f64; 6] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1];
 
 impl Structure {
     /// Largest angular frequency to be expected, rad/s. It is that of a straight structure at the start, at the end and
@@ -57,7 +57,7 @@ impl Structure {
             let along = |a: &ThermalStrain, b: &ThermalStrain| a[0].total_cmp(&b[0]);
             let extremes = [of_rod().min_by(along), of_rod().max_by(along)].into_iter().flatten();
             extremes
-                .flat_map(move |thermal| SHARES.map(|share| rod.state(share, thermal)))
+                .flat_map(move |thermal| STRAIN_FACTORS.map(|factor| rod.state(factor, thermal)))
                 .map(|(stretch, thermal)| rod.mesh.largest_square_frequency(stretch, thermal))
         });
         // In the total order NaN is the largest, and is not lost.
@@ -68,9 +68,9 @@ impl Structure {
         if has_sections || !self.rows.is_empty() || bound.is_nan() || heats.len() > MOST_HEATS {
             return Ok(bound.sqrt());
         }
-        let states = heats.iter().flat_map(|heat| SHARES.map(|share| self.states(share, heat)));
+        let states = heats.iter().flat_map(|heat| STRAIN_FACTORS.map(|factor| self.states(factor, heat)));
         let of_whole = states.map(|states| self.largest_eigenvalue(&states, &mut mass).unwrap_or(bound));
-        Ok((of_whole.fold(0.0, f64::max) * BENT * BENT).min(bound).sqrt())
+        Ok((of_whole.fold(0.0, f64::max) * BENDING_MARGIN * BENDING_MARGIN).min(bound).sqrt())
     }
 
     /// Thermal strains of all rods at each time, without repetitions.
@@ -85,18 +85,21 @@ impl Structure {
         heats
     }
 
-    fn states(&self, share: f64, heat: &[ThermalStrain]) -> Vec<RodState> {
-        self.rods.iter().zip(heat).map(|(rod, thermal)| rod.state(share, *thermal)).collect()
+    fn states(&self, factor: f64, heat: &[ThermalStrain]) -> Vec<RodState> {
+        self.rods.iter().zip(heat).map(|(rod, thermal)| rod.state(factor, *thermal)).collect()
     }
 
     /// Upper bound of the eigenvalues of K x = λ M x, and a close one; `None` where none is found.
     fn largest_eigenvalue(&self, states: &[RodState], mass: &mut MassFactors) -> Option<f64> {
-        let (found, missed) = largest_eigenvalue(&mut Vibration { structure: self, mass, states })?;
-        EXCESSES.map(|excess| (found + missed) * (1.0 + excess)).into_iter().find(|sigma| self.is_above(*sigma, states))
+        let (found, error_bound) = largest_eigenvalue(&mut Vibration { structure: self, mass, states })?;
+        MARGINS
+            .map(|margin| (found + error_bound) * (1.0 + margin))
+            .into_iter()
+            .find(|sigma| self.is_upper_bound(*sigma, states))
     }
 
     /// Whether K x = λ M x has no eigenvalue above `sigma`: σM − K has no negative one (Sylvester).
-    fn is_above(&self, sigma: f64, states: &[RodState]) -> bool {
+    fn is_upper_bound(&self, sigma: f64, states: &[RodState]) -> bool {
         let matrix = self.assemble_matrix(|rod| {
             let (stretch, eps_t) = states[rod];
             ElementMatrix::Stretched { stretch, eps_t, stiffness: -1.0, mass: sigma }
@@ -123,9 +126,9 @@ impl Structure {
 }
 
 impl Rod {
-    /// State of the rod at a multiple of its stress-free strain; at rest if that would leave nothing of it.
-    fn state(&self, share: f64, thermal: ThermalStrain) -> RodState {
-        let stretch = self.mesh.stress_free(thermal.map(|strain| share * strain));
+    /// State of the rod at a multiple of its stress-free strain; at rest if a stretch would not be positive.
+    fn state(&self, factor: f64, thermal: ThermalStrain) -> RodState {
+        let stretch = self.mesh.stress_free(thermal.map(|strain| factor * strain));
         let is_there = stretch.iter().all(|less_one| 1.0 + less_one > 0.0);
         (if is_there { stretch } else { [0.0; 2] }, thermal)
     }
@@ -198,20 +201,21 @@ mod tests {
     /// An estimate that is too low is noticed; the bound is above the exact value by at most 2·10⁻⁶.
     #[test]
     fn nothing_is_above_the_largest_eigenvalue() {
-        let structure = Structure::new(&pair()).unwrap();
+        let structure = Structure::new(pair()).unwrap();
         let mut mass = structure.factorize_mass().unwrap();
         for strain in [-0.1, 0.0, 0.05] {
             let states = structure.states(1.0, &[[strain; 2], [0.5 * strain; 2]]);
             let exact = dense(&structure, &states);
             assert!(
-                !structure.is_above(exact * (1.0 - 1e-9), &states) && structure.is_above(exact * (1.0 + 1e-9), &states)
+                !structure.is_upper_bound(exact * (1.0 - 1e-9), &states)
+                    && structure.is_upper_bound(exact * (1.0 + 1e-9), &states)
             );
             let found = structure.largest_eigenvalue(&states, &mut mass).unwrap();
             assert!(found > exact && found < exact * (1.0 + 3e-6), "{found} {exact}");
         }
     }
 
-    /// Heats combine what all histories say at one time, wherever that stands in their lists; what comes after the end
+    /// Heats combine the histories of all rods at one time, wherever it is in their lists; what comes after the end
     /// does not count.
     #[test]
     fn heats_are_those_of_one_time_within_the_run() {
@@ -229,8 +233,10 @@ mod tests {
         }
         // The rods' own greatest heats, and nothing above them.
         let square = structure.largest_frequency().unwrap().powi(2);
-        let states = structure.heats().into_iter().flat_map(|heat| SHARES.map(|share| structure.states(share, &heat)));
-        let exact = states.map(|states| dense(&structure, &states)).fold(0.0, f64::max) * BENT * BENT;
+        let states =
+            structure.heats().into_iter().flat_map(|heat| STRAIN_FACTORS.map(|factor| structure.states(factor, &heat)));
+        let exact =
+            states.map(|states| dense(&structure, &states)).fold(0.0, f64::max) * BENDING_MARGIN * BENDING_MARGIN;
         assert!(square > exact && square < exact * (1.0 + 3e-6), "{square} {exact}");
 
         // More corners than are examined one by one: the bound of the elements is used.
@@ -249,10 +255,10 @@ mod tests {
             scene.rods.iter_mut().for_each(|rod| rod.element = element);
             scene.rods[1].elements = 40;
             let structure = Structure::new(&scene).unwrap();
-            for (rod, share) in structure.rods.iter().flat_map(|rod| SHARES.map(|share| (rod, share))) {
+            for (rod, factor) in structure.rods.iter().flat_map(|rod| STRAIN_FACTORS.map(|factor| (rod, factor))) {
                 for both in [true, false] {
                     let square = |strain: f64| {
-                        let (stretch, thermal) = rod.state(share, [strain, if both { strain } else { 0.0 }]);
+                        let (stretch, thermal) = rod.state(factor, [strain, if both { strain } else { 0.0 }]);
                         rod.mesh.largest_square_frequency(stretch, thermal)
                     };
                     for (from, to) in [(-0.2, 0.3), (-0.2, 0.0), (0.0, 1.0), (-0.02, 0.01)] {
@@ -261,7 +267,7 @@ mod tests {
                             let between = square(from + (to - from) * f64::from(n) / 20.0);
                             assert!(
                                 between <= ends * (1.0 + 1e-12),
-                                "{element} {share} {from} {to} {n}: {between} {ends}"
+                                "{element} {factor} {from} {to} {n}: {between} {ends}"
                             );
                         }
                     }

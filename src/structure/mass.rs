@@ -17,7 +17,7 @@ use super::node_dofs::NodeDofs;
 use super::numbering::order;
 use super::rod::Rod;
 use super::rod_elements::ElementMatrix;
-use crate::linear::{BandLu, BandMatrix, BandedLdlt, BorderedLu, SingularAt, flush};
+use crate::linear::{BandLu, BandMatrix, BandedLdlt, BorderedLu, SingularAt, flush_negligible};
 
 /// Most border vectors of a rod: positions and slopes of both ends and of a pivot.
 const MOST_BORDER_VECTORS: usize = 6;
@@ -42,7 +42,7 @@ struct Condensed {
     unknowns: Vec<usize>,
     corner: BandLu,
     /// Buffer for the border's part of a right-hand side.
-    rest: DVector<f64>,
+    border_rhs: DVector<f64>,
 }
 
 /// Factors of one rod.
@@ -50,7 +50,7 @@ struct Condensed {
 struct RodFactors {
     /// First unknowns of the free vectors.
     free: Vec<u32>,
-    band: Band,
+    band: ScalarBand,
     /// Border vectors that the rod touches.
     touches: Vec<usize>,
     /// Coupling M_fb: free vector, index of the touched vector, entry.
@@ -61,7 +61,7 @@ struct RodFactors {
 
 /// Scalar band of the half-width that the element needs.
 #[derive(Debug)]
-enum Band {
+enum ScalarBand {
     /// Band of elements with four nodal vectors.
     Three(BandedLdlt<3>),
     /// Band of elements with seven nodal vectors.
@@ -91,19 +91,19 @@ impl RodMass<'_> {
     }
 }
 
-impl Band {
-    fn new(vectors: usize, size: usize, entry: impl Fn(usize, usize) -> f64) -> Result<Band, SingularAt> {
+impl ScalarBand {
+    fn new(vectors: usize, size: usize, entry: impl Fn(usize, usize) -> f64) -> Result<ScalarBand, SingularAt> {
         Ok(if vectors == 4 {
-            Band::Three(BandedLdlt::new(size, entry)?)
+            ScalarBand::Three(BandedLdlt::new(size, entry)?)
         } else {
-            Band::Six(BandedLdlt::new(size, entry)?)
+            ScalarBand::Six(BandedLdlt::new(size, entry)?)
         })
     }
 
     fn solve(&self, places: &[u32], b: &mut [f64]) {
         match self {
-            Band::Three(band) => band.solve(places, b),
-            Band::Six(band) => band.solve(places, b),
+            ScalarBand::Three(band) => band.solve(places, b),
+            ScalarBand::Six(band) => band.solve(places, b),
         }
     }
 }
@@ -146,24 +146,24 @@ impl Condensed {
             factors.push(RodFactors::new(&RodMass { rod }, is_free, place_of, &touches, &border, &mut corner)?);
         }
         let corner = corner.lu().map_err(|SingularAt(pivot)| SingularAt(unknowns[pivot]))?;
-        let rest = DVector::zeros(unknowns.len());
-        Ok(Condensed { rods: factors, border, unknowns, corner, rest })
+        let border_rhs = DVector::zeros(unknowns.len());
+        Ok(Condensed { rods: factors, border, unknowns, corner, border_rhs })
     }
 
     fn solve(&mut self, b: &mut [f64]) {
-        let Condensed { rods, border, unknowns, corner, rest } = self;
+        let Condensed { rods, border, unknowns, corner, border_rhs } = self;
         rods.iter().for_each(|rod| rod.band.solve(&rod.free, b));
-        rest.iter_mut().zip(&*unknowns).for_each(|(rest, &unknown)| *rest = b[unknown]);
+        border_rhs.iter_mut().zip(&*unknowns).for_each(|(border_rhs, &unknown)| *border_rhs = b[unknown]);
         for rod in &*rods {
             for &(free, touched, mass) in &rod.coupling {
                 let a = vector_at(b, rod.free[free]);
-                border[rod.touches[touched]].add(&(-mass * a), rest);
+                border[rod.touches[touched]].add(&(-mass * a), border_rhs);
             }
         }
-        corner.solve(rest.as_mut_slice());
-        rest.iter().zip(&*unknowns).for_each(|(a, &unknown)| b[unknown] = *a);
+        corner.solve(border_rhs.as_mut_slice());
+        border_rhs.iter().zip(&*unknowns).for_each(|(a, &unknown)| b[unknown] = *a);
         for rod in &*rods {
-            rod.respond(border, rest, b);
+            rod.respond(border, border_rhs, b);
         }
     }
 }
@@ -186,7 +186,7 @@ impl RodFactors {
         let places: Vec<usize> = (0..chain.len()).filter(|&vector| is_free(&chain[vector])).collect();
         let free: Vec<u32> = places.iter().filter_map(|&vector| chain[vector].unknowns[0]).map(|x| x as u32).collect();
         let entry = |row: usize, column: usize| mass.entry(places[row], places[column]);
-        let band = Band::new(mass.rod.mesh.vectors().len(), places.len(), entry)
+        let band = ScalarBand::new(mass.rod.mesh.vectors().len(), places.len(), entry)
             .map_err(|SingularAt(row)| SingularAt(free[row] as usize))?;
 
         // Indices in the chain of the border vectors, and the coupling of free vectors with them.
@@ -234,12 +234,12 @@ impl RodFactors {
     }
 
     /// Subtracts W a_b from the free vectors.
-    fn respond(&self, border: &[NodeDofs], rest: &DVector<f64>, b: &mut [f64]) {
+    fn respond(&self, border: &[NodeDofs], border_rhs: &DVector<f64>, b: &mut [f64]) {
         if self.touches.is_empty() {
             return;
         }
         let mut of_border = [Vector2::zeros(); MOST_BORDER_VECTORS];
-        of_border.iter_mut().zip(&self.touches).for_each(|(a, &touched)| *a = border[touched].get(rest));
+        of_border.iter_mut().zip(&self.touches).for_each(|(a, &touched)| *a = border[touched].get(border_rhs));
         for (row, &place) in self.response.chunks_exact(self.touches.len()).zip(&self.free) {
             let mut a = vector_at(b, place);
             row.iter().zip(&of_border).for_each(|(response, of_border)| a -= *response * of_border);
@@ -268,7 +268,7 @@ impl MassFactors {
             MassKind::Condensed(condensed) => condensed.solve(f.as_mut_slice()),
             MassKind::Multipliers(factors) => factors.solve(f),
         }
-        flush(f);
+        flush_negligible(f);
     }
 }
 
@@ -276,7 +276,7 @@ impl Structure {
     /// Factorises the mass matrix, bordered by the constraints if there are multipliers.
     ///
     /// # Errors
-    /// Unknown of a vanishing pivot; [`place`](Structure::place) describes it.
+    /// Unknown of a vanishing pivot; [`location`](Structure::location) describes it.
     pub fn factorize_mass(&self) -> Result<MassFactors, SingularAt> {
         if self.rows.is_empty() {
             return Ok(MassFactors(MassKind::Condensed(Condensed::new(&self.rods, self.layout.border)?)));

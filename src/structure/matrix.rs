@@ -5,7 +5,7 @@ use nalgebra::{Complex, DVector};
 use super::rod_elements::ElementMatrix;
 use super::{StepEnds, Structure, of_rod};
 use crate::elements::ThermalStrain;
-use crate::linear::{Bordered, BorderedLu, Chain, CondensedFactors, Filling, Number, SingularAt};
+use crate::linear::{BlockMut, Bordered, BorderedLu, Chain, CondensedFactors, Number, SingularAt};
 
 /// Matrix to be factorised.
 #[derive(Debug)]
@@ -61,7 +61,7 @@ impl<'a> Matrix<'a> {
 #[derive(Debug)]
 pub enum Factors {
     /// Factors in the condensed form.
-    CondensedFactors(CondensedFactors),
+    Condensed(CondensedFactors),
     /// Factors in the form with multipliers.
     Bordered(Option<BorderedLu>),
 }
@@ -70,7 +70,7 @@ impl Factors {
     /// Solves A x = b in place. Without factors the solution is NaN.
     pub fn solve(&self, b: &mut DVector<f64>) {
         match self {
-            Factors::CondensedFactors(chains) => chains.solve(b),
+            Factors::Condensed(chains) => chains.solve(b),
             Factors::Bordered(Some(factors)) => factors.solve(b),
             Factors::Bordered(None) => b.fill(f64::NAN),
         }
@@ -84,7 +84,7 @@ impl Structure {
     /// Memory of one matrix with its factors, bytes.
     pub fn matrix_bytes(&self) -> usize {
         match self.factors() {
-            Factors::CondensedFactors(chains) => chains.bytes(),
+            Factors::Condensed(chains) => chains.bytes(),
             Factors::Bordered(_) => self.layout.bytes(),
         }
     }
@@ -109,7 +109,7 @@ impl Structure {
     pub fn factors(&self) -> Factors {
         if self.rows.is_empty() {
             let chains = self.rods.iter().map(|rod| rod.mesh.chain(self.layout.border)).collect();
-            Factors::CondensedFactors(self.chains(chains))
+            Factors::Condensed(self.chains(chains))
         } else {
             Factors::Bordered(None)
         }
@@ -127,10 +127,10 @@ impl Structure {
     /// Factorises a matrix.
     ///
     /// # Errors
-    /// Unknown of a vanishing pivot; [`place`](Structure::place) describes it.
+    /// Unknown of a vanishing pivot; [`location`](Structure::location) describes it.
     pub fn factorize(&self, matrix: Matrix, factors: &mut Factors) -> Result<(), SingularAt> {
         match factors {
-            Factors::CondensedFactors(chains) => chains.factorize(|rod, element, columns| {
+            Factors::Condensed(chains) => chains.factorize(|rod, element, columns| {
                 self.rods[rod].mesh.matrix(element, &matrix.of_rod(rod), columns);
             }),
             // With multipliers beside coordinates, rows and columns of all blocks must be scaled first.
@@ -167,7 +167,7 @@ impl Structure {
     }
 
     /// Adds the matrices of a rod's elements to its block.
-    fn fill(&self, n: usize, matrix: &ElementMatrix, block: &mut Filling) {
+    fn fill(&self, n: usize, matrix: &ElementMatrix, block: &mut BlockMut) {
         self.rods[n].mesh.add_matrix(matrix, block);
     }
 

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DVector, Vector2, Vector3};
 
-use super::constraints::{Row, pin, supports};
-use super::numbering::outwards;
+use super::constraints::{Constraint, pin, supports};
+use super::numbering::cuthill_mckee;
 use super::point::Point;
 use super::rod::Rod;
 use crate::elements::Meaning;
@@ -19,10 +19,10 @@ use crate::model::Scene;
 
 /// Largest |C x| / |x| of a motion without strain: above the rounding of zero in thousands of rods, and below the value
 /// of such a structure where it is held.
-const DRIFTS: f64 = 1e-12;
+const STRAIN_FREE: f64 = 1e-12;
 
 /// Replaces a zero on the diagonal of R.
-const ZERO: f64 = 1e-18;
+const ZERO_PIVOT: f64 = 1e-18;
 
 const ITERATIONS: usize = 4;
 
@@ -30,14 +30,14 @@ const ITERATIONS: usize = 4;
 const MOST_NAMES: usize = 4;
 
 /// Number of rigid velocities of a rod.
-const MOTIONS: usize = 3;
+const RIGID_VELOCITIES: usize = 3;
 
 /// Refuses a structure that can move without strain.
 ///
 /// # Errors
 /// [`Error::Drifts`] with the moving rods; [`Error::TooLarge`] where too many rods meet for the memory.
 pub(super) fn check(scene: &Scene, points: &BTreeMap<String, Point>, rods: &[Rod]) -> Result<()> {
-    let place = places(rods.len(), points);
+    let place = rod_positions(rods.len(), points);
     let mut rows: Vec<Vec<(usize, f64)>> = Vec::new();
     for point in points.values() {
         let mut nodes = point.nodes.clone();
@@ -49,20 +49,20 @@ pub(super) fn check(scene: &Scene, points: &BTreeMap<String, Point>, rods: &[Rod
     rows.extend(supports(scene, points).map(|row| rates(scene, rods, &place, &row)));
     rows.sort_by_key(|row| row.iter().map(|(column, _)| *column).min());
 
-    let mut triangle = Triangle::new(MOTIONS * rods.len(), &rows)?;
-    rows.iter().for_each(|row| triangle.rotate_in(row));
-    let mut x = DVector::from_fn(triangle.size, |n, _| 1.0 + 0.5 * (1.7 * n as f64).sin());
+    let mut factor = TriangularFactor::new(RIGID_VELOCITIES * rods.len(), &rows)?;
+    rows.iter().for_each(|row| factor.rotate_in(row));
+    let mut x = DVector::from_fn(factor.size, |n, _| 1.0 + 0.5 * (1.7 * n as f64).sin());
     for _ in 0..ITERATIONS {
-        triangle.solve_transposed(&mut x);
+        factor.solve_transposed(&mut x);
         x /= x.amax();
-        triangle.solve(&mut x);
+        factor.solve(&mut x);
         x /= x.amax();
     }
     let stretch = |row: &Vec<(usize, f64)>| row.iter().map(|(column, weight)| weight * x[*column]).sum::<f64>().powi(2);
-    if rows.iter().map(stretch).sum::<f64>().sqrt() > DRIFTS * x.norm() {
+    if rows.iter().map(stretch).sum::<f64>().sqrt() > STRAIN_FREE * x.norm() {
         return Ok(());
     }
-    let moves = |rod: usize| x.rows(MOTIONS * place[rod], MOTIONS).amax() > 1e-6;
+    let moves = |rod: usize| x.rows(RIGID_VELOCITIES * place[rod], RIGID_VELOCITIES).amax() > 1e-6;
     let moving: Vec<String> =
         (0..rods.len()).filter(|&rod| moves(rod)).map(|rod| format!("`{}`", rods[rod].name)).collect();
     let more = if moving.len() > MOST_NAMES { " …" } else { "" };
@@ -70,23 +70,23 @@ pub(super) fn check(scene: &Scene, points: &BTreeMap<String, Point>, rods: &[Rod
 }
 
 /// Upper triangular factor of a matrix with banded rows.
-struct Triangle {
+struct TriangularFactor {
     size: usize,
     width: usize,
     /// Row k holds columns k … k + width − 1.
     entries: Vec<f64>,
 }
 
-impl Triangle {
+impl TriangularFactor {
     /// Factor without rows yet; `rows` determine its bandwidth.
-    fn new(size: usize, rows: &[Vec<(usize, f64)>]) -> Result<Triangle> {
+    fn new(size: usize, rows: &[Vec<(usize, f64)>]) -> Result<TriangularFactor> {
         let reach = |row: &Vec<(usize, f64)>| {
             let columns = || row.iter().map(|(column, _)| *column);
             columns().max().zip(columns().min()).map_or(0, |(last, first)| last - first)
         };
         let width = 1 + rows.iter().map(reach).max().unwrap_or(0);
         super::memory::check_memory(size, width, size.saturating_mul(width).saturating_mul(size_of::<f64>()))?;
-        Ok(Triangle { size, width, entries: vec![0.0; size * width] })
+        Ok(TriangularFactor { size, width, entries: vec![0.0; size * width] })
     }
 
     /// Adds a row by Givens rotations, each of which clears its first entry.
@@ -113,7 +113,7 @@ impl Triangle {
 
     fn diagonal(&self, k: usize) -> f64 {
         let diagonal = self.entries[k * self.width];
-        if diagonal.abs() > ZERO { diagonal } else { ZERO }
+        if diagonal.abs() > ZERO_PIVOT { diagonal } else { ZERO_PIVOT }
     }
 
     /// Solves R x = b in place.
@@ -139,18 +139,18 @@ impl Triangle {
 }
 
 /// Position of each rod in an order that keeps connected rods close together.
-fn places(rods: usize, points: &BTreeMap<String, Point>) -> Vec<usize> {
+fn rod_positions(rods: usize, points: &BTreeMap<String, Point>) -> Vec<usize> {
     let mut touches = vec![Vec::new(); rods];
     for (n, point) in points.values().enumerate() {
         point.nodes.iter().for_each(|node| touches[node.rod].push(n));
     }
     let mut place = vec![0; rods];
-    outwards(points.len(), &touches).into_iter().enumerate().for_each(|(n, rod)| place[rod] = n);
+    cuthill_mckee(points.len(), &touches).into_iter().enumerate().for_each(|(n, rod)| place[rod] = n);
     place
 }
 
 /// Coefficients of a constraint in the velocities (v_x, v_y, ω L) of its rods, with their columns.
-fn rates(scene: &Scene, rods: &[Rod], place: &[usize], row: &Row) -> Vec<(usize, f64)> {
+fn rates(scene: &Scene, rods: &[Rod], place: &[usize], row: &Constraint) -> Vec<(usize, f64)> {
     let rate = |rod: usize, vector: usize, weight: Vector2<f64>| {
         let ends = [&scene.rods[rod].from, &scene.rods[rod].to].map(|name| Vector2::from(scene.points[name]));
         let along = (ends[1] - ends[0]).normalize();
@@ -169,7 +169,7 @@ fn rates(scene: &Scene, rods: &[Rod], place: &[usize], row: &Row) -> Vec<(usize,
     };
     let terms = row.terms.iter().flat_map(|term| {
         let rates = rate(term.rod, term.vector, term.weight);
-        (0..MOTIONS).map(move |n| (MOTIONS * place[term.rod] + n, rates[n]))
+        (0..RIGID_VELOCITIES).map(move |n| (RIGID_VELOCITIES * place[term.rod] + n, rates[n]))
     });
     terms.filter(|(_, rate)| *rate != 0.0).collect()
 }

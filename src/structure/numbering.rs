@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 pub(super) fn order(count: usize, touches: &[Vec<usize>]) -> Vec<usize> {
     let mut order = Vec::with_capacity(count);
     let mut done = vec![false; count];
-    for rod in outwards(count, touches) {
+    for rod in cuthill_mckee(count, touches) {
         for &shared in &touches[rod] {
             if !std::mem::replace(&mut done[shared], true) {
                 order.push(shared);
@@ -18,7 +18,7 @@ pub(super) fn order(count: usize, touches: &[Vec<usize>]) -> Vec<usize> {
 
 /// Rods in order of distance from one at the structure's edge (Cuthill and McKee 1969). The band is then as wide as the
 /// structure is across, however long it is.
-pub(super) fn outwards(count: usize, touches: &[Vec<usize>]) -> Vec<usize> {
+pub(super) fn cuthill_mckee(count: usize, touches: &[Vec<usize>]) -> Vec<usize> {
     let mut meeting = vec![Vec::new(); count];
     for (rod, its) in touches.iter().enumerate() {
         its.iter().for_each(|&shared| meeting[shared].push(rod));
@@ -28,16 +28,16 @@ pub(super) fn outwards(count: usize, touches: &[Vec<usize>]) -> Vec<usize> {
     let mut done = vec![false; touches.len()];
     for first in 0..touches.len() {
         if !done[first] {
-            let any = outwards_from(first, touches, meeting, &mut done.clone());
+            let any = breadth_first(first, touches, meeting, &mut done.clone());
             let edge = any.last().copied().unwrap_or(first);
-            order.extend(outwards_from(edge, touches, meeting, &mut done));
+            order.extend(breadth_first(edge, touches, meeting, &mut done));
         }
     }
     order
 }
 
 /// Rods connected with `first`, nearest first; marks them `done`.
-fn outwards_from(first: usize, touches: &[Vec<usize>], meeting: &[Vec<usize>], done: &mut [bool]) -> Vec<usize> {
+fn breadth_first(first: usize, touches: &[Vec<usize>], meeting: &[Vec<usize>], done: &mut [bool]) -> Vec<usize> {
     let mut order = Vec::new();
     let mut queue = VecDeque::from([first]);
     done[first] = true;

@@ -3,7 +3,7 @@
 /// Named point of the scene.
 #[derive(Clone, Debug)]
 pub struct Point {
-    pub start: [f64; 2],
+    pub initial: [f64; 2],
     /// Nodes of the rods that meet there, in the scene's order.
     pub nodes: Vec<Node>,
 }

@@ -5,10 +5,10 @@ use nalgebra::{DVector, Vector2};
 use super::Structure;
 use super::node_dofs::NodeDofs;
 use super::point::Node;
-use super::rod_elements::Loaded;
+use super::rod_elements::RodInstant;
 use crate::elements::Meaning;
 use crate::error::{Error, Result};
-use crate::model::nearest;
+use crate::model::or_nearest;
 
 /// State of a structure at an instant, for forces.
 #[derive(Clone, Copy, Debug)]
@@ -53,17 +53,17 @@ impl Structure {
     /// Position of a point, m.
     pub fn position(&self, point: PointId, u: &DVector<f64>) -> [f64; 2] {
         let [x, y] = self.at_point(point, u);
-        let start = self.points[point.0].1.start;
-        [start[0] + x, start[1] + y]
+        let initial = self.points[point.0].1.initial;
+        [initial[0] + x, initial[1] + y]
     }
 
     /// Entries of a point in a vector of unknowns, such as its velocity; zero where held.
     pub fn at_point(&self, point: PointId, vector: &DVector<f64>) -> [f64; 2] {
-        self.components(point).get(vector).into()
+        self.point_dofs(point).get(vector).into()
     }
 
     /// Unknowns of a point: those of the first rod there.
-    pub(super) fn components(&self, point: PointId) -> NodeDofs {
+    pub(super) fn point_dofs(&self, point: PointId) -> NodeDofs {
         let Node { rod, position, .. } = self.points[point.0].1.nodes[0];
         self.rods[rod].chain[position]
     }
@@ -133,7 +133,7 @@ impl Structure {
         }
         let eps_t = self.thermal_strain(rod, now.t);
         let weight = if self.is_static { now.t } else { 1.0 };
-        rod.mesh.force_at(node.position, &Loaded { u: now.u, a: now.a, eps_t, weight })
+        rod.mesh.force_at(node.position, &RodInstant { u: now.u, a: now.a, eps_t, weight })
     }
 
     fn point_force(&self, point: PointId, t: f64) -> Vector2<f64> {
@@ -144,6 +144,5 @@ impl Structure {
 }
 
 fn unknown<'a>(what: &'static str, name: &str, known: impl Iterator<Item = &'a str>) -> Error {
-    let nearest = nearest(name, known).map(|name| format!("; nearest: `{name}`")).unwrap_or_default();
-    Error::Unknown { what, name: name.into(), nearest }
+    Error::Unknown { what, name: name.into(), nearest: or_nearest(name, known) }
 }

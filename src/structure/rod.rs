@@ -114,14 +114,14 @@ fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Bo
         Form::Consistent => {
             let law = Law { lame, poisson: rod.poisson };
             let beam = Ancf::new(l, h, w, theta, law);
-            equal(if plan.poisson { beam.with_poissons_terms(law, h, w) } else { beam }, scene, rod, along)
+            uniform(if plan.poisson { beam.with_poissons_terms(law, h, w) } else { beam }, scene, rod, along)
         }
-        Form::PrintedShear => equal(PrintedShear::new(l, h, w, theta, lame), scene, rod, along),
+        Form::PrintedShear => uniform(PrintedShear::new(l, h, w, theta, lame), scene, rod, along),
     }
 }
 
 /// Elements of the paper, all equal, in the consistent or the printed form.
-fn equal<B: Beam<14> + Debug + Send + Sync + 'static>(
+fn uniform<B: Beam<14> + Debug + Send + Sync + 'static>(
     beam: B,
     scene: &Scene,
     rod: &model::Rod,

@@ -6,7 +6,7 @@ use nalgebra::{Complex, DVector, Vector2};
 
 use super::node_dofs::NodeDofs;
 use crate::elements::{Ends, NodalVector, ThermalStrain};
-use crate::linear::{Chain, Filling};
+use crate::linear::{BlockMut, Chain};
 
 /// Matrix of an element; vectors are those of the whole structure.
 pub(super) enum ElementMatrix<'a> {
@@ -47,7 +47,7 @@ pub(super) trait RodElements: Debug + Send + Sync {
     fn unit_force(&self) -> f64;
 
     /// Least magnitude of the numbers whose differences are strains.
-    fn rounded(&self) -> f64;
+    fn rounding_scale(&self) -> f64;
 
     /// Stretches minus 1 (along, across) at which a thermal strain causes no stress.
     fn stress_free(&self, eps_t: ThermalStrain) -> [f64; 2];
@@ -87,10 +87,10 @@ pub(super) trait RodElements: Debug + Send + Sync {
     fn matrix(&self, element: usize, matrix: &ElementMatrix, columns: &mut [f64]);
 
     /// Adds the elements' matrices to the rod's block.
-    fn add_matrix(&self, matrix: &ElementMatrix, block: &mut Filling);
+    fn add_matrix(&self, matrix: &ElementMatrix, block: &mut BlockMut);
 
     /// Force M a + Q_e − `weight` · Q_w on one nodal vector, N.
-    fn force_at(&self, vector: usize, now: &Loaded) -> Vector2<f64>;
+    fn force_at(&self, vector: usize, now: &RodInstant) -> Vector2<f64>;
 
     /// First element that has collapsed.
     fn collapsed(&self, before: &DVector<f64>, u: &DVector<f64>) -> Option<usize>;
@@ -116,7 +116,7 @@ pub(super) trait RodElements: Debug + Send + Sync {
 }
 
 /// State of a rod at an instant, for forces on its nodes.
-pub(super) struct Loaded<'a> {
+pub(super) struct RodInstant<'a> {
     pub u: &'a DVector<f64>,
     pub a: &'a DVector<f64>,
     pub eps_t: ThermalStrain,

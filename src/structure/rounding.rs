@@ -51,11 +51,11 @@ impl Structure {
         let moved = |sign: &dyn Fn(usize) -> f64| {
             let mut moved = errors.map_with_location(|row, _, error| sign(row) * error);
             factors.solve(&mut moved);
-            self.farthest(&moved)
+            self.largest_displacement(&moved)
         };
         // Elimination along a rod sums errors of one sign; errors of changing sign act on short elements.
         let farthest = moved(&|_| 1.0).max(moved(&|n| (1.7 * n as f64 * n as f64).sin().signum()));
-        let far = self.farthest(u).max(hottest * self.shortest);
+        let far = self.largest_displacement(u).max(hottest * self.shortest_element);
         (far > 0.0).then(|| farthest / far)
     }
 
@@ -68,11 +68,11 @@ impl Structure {
     /// `hottest`.
     fn rounding_strain(&self, u: &DVector<f64>, hottest: f64) -> f64 {
         let size = |(u, kind): (&f64, &UnknownKind)| match kind {
-            UnknownKind::Position => u.abs() / self.shortest,
+            UnknownKind::Position => u.abs() / self.shortest_element,
             UnknownKind::Slope(_) => u.abs(),
             // During an iteration this entry is λ: a force, not a strain.
             UnknownKind::Multiplier => 0.0,
         };
-        f64::EPSILON * u.iter().zip(&self.kinds).map(size).fold(hottest.max(self.rounded), f64::max)
+        f64::EPSILON * u.iter().zip(&self.kinds).map(size).fold(hottest.max(self.rounding_scale), f64::max)
     }
 }

@@ -7,9 +7,9 @@ use nalgebra::{Complex, DVector, SMatrix, SVector, Vector2};
 
 use super::element_dofs::{ElementDofs, gather, scatter};
 use super::node_dofs::NodeDofs;
-use super::rod_elements::{ElementMatrix, Loaded, RodElements};
+use super::rod_elements::{ElementMatrix, RodElements, RodInstant};
 use crate::elements::{Beam, Ends, LANES, NodalVector, ThermalStrain};
-use crate::linear::{Chain, Filling, FrontalChain, NONE};
+use crate::linear::{BlockMut, Chain, FrontalChain, NO_UNKNOWN};
 
 /// Equal elements of one type with `N` nodal coordinates each.
 #[derive(Clone, Debug)]
@@ -94,7 +94,7 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
         self.unit_force
     }
 
-    fn rounded(&self) -> f64 {
+    fn rounding_scale(&self) -> f64 {
         B::ROUNDING_SCALE
     }
 
@@ -166,16 +166,16 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
         self.element_matrix(&self.places[element], matrix, columns);
     }
 
-    fn add_matrix(&self, matrix: &ElementMatrix, block: &mut Filling) {
+    fn add_matrix(&self, matrix: &ElementMatrix, block: &mut BlockMut) {
         for place in &self.places {
-            let unknowns = place.unknowns.map(|unknown| (unknown != NONE).then_some(unknown as usize));
+            let unknowns = place.unknowns.map(|unknown| (unknown != NO_UNKNOWN).then_some(unknown as usize));
             let mut dense = SMatrix::<f64, N, N>::zeros();
             self.element_matrix(place, matrix, dense.as_mut_slice());
             block.add_dense(unknowns, &dense);
         }
     }
 
-    fn force_at(&self, vector: usize, now: &Loaded) -> Vector2<f64> {
+    fn force_at(&self, vector: usize, now: &RodInstant) -> Vector2<f64> {
         let touching = self.places.iter().enumerate().filter_map(|(element, place)| {
             let own = vector.checked_sub(element * Self::STRIDE).filter(|own| *own < N / 2)?;
             let (u, a) = (place.gather(now.u), place.gather(now.a));

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::{Matrix2, Rotation2, Vector2};
 
 use super::constraint_row::ConstraintRow;
-use super::constraints::{Row, clamped, held_directions};
+use super::constraints::{Constraint, clamped, held_directions};
 use super::node_dofs::NodeDofs;
 use super::numbering::order;
 use super::point::Point;
@@ -22,12 +22,12 @@ pub(super) struct Numbering {
 }
 
 /// Numbers each rod's own unknowns: all but those of the `shared` vectors of its chain.
-fn number_own(rods: &mut [Rod], shared: impl Fn(usize, usize) -> bool, held: &Held) -> Numbering {
+fn number_own(rods: &mut [Rod], shared: impl Fn(usize, usize) -> bool, held: &HeldDirections) -> Numbering {
     let (mut layout, mut kinds) = (Layout::default(), Vec::new());
     for (n, rod) in rods.iter_mut().enumerate() {
         let first = kinds.len();
         for vector in (0..rod.chain.len()).filter(|&vector| !shared(n, vector)) {
-            rod.chain[vector] = held.components(n, vector, rod.kind(vector), &mut kinds);
+            rod.chain[vector] = held.new_dofs(n, vector, rod.kind(vector), &mut kinds);
         }
         let band = (0..rod.elements).map(|element| spread(rod.vectors(element), first)).max().unwrap_or(0);
         layout.blocks.push(BlockLayout { first, size: kinds.len() - first, band, touches: Vec::new() });
@@ -39,7 +39,7 @@ fn number_own(rods: &mut [Rod], shared: impl Fn(usize, usize) -> bool, held: &He
 /// Numbers the unknowns of the condensed form: rods that meet at a point share its position, held components have no
 /// unknown.
 pub(super) fn condensed(scene: &Scene, points: &BTreeMap<String, Point>, rods: &mut [Rod]) -> Numbering {
-    let held = Held::of(scene, points);
+    let held = HeldDirections::of(scene, points);
     let shared: Vec<&Point> = points.values().filter(|point| point.nodes.len() > 1).collect();
     let mut touches = vec![Vec::new(); rods.len()];
     let mut at = BTreeMap::new();
@@ -50,10 +50,10 @@ pub(super) fn condensed(scene: &Scene, points: &BTreeMap<String, Point>, rods: &
     let mut numbering = number_own(rods, |rod, vector| at.contains_key(&(rod, vector)), &held);
     for point in order(shared.len(), &touches).into_iter().map(|n| shared[n]) {
         let first = point.nodes[0];
-        let components = held.components(first.rod, first.position, UnknownKind::Position, &mut numbering.kinds);
+        let dofs = held.new_dofs(first.rod, first.position, UnknownKind::Position, &mut numbering.kinds);
         for node in &point.nodes {
-            rods[node.rod].chain[node.position] = components;
-            numbering.layout.blocks[node.rod].touches.extend(components.unknowns.iter().flatten());
+            rods[node.rod].chain[node.position] = dofs;
+            numbering.layout.blocks[node.rod].touches.extend(dofs.unknowns.iter().flatten());
         }
     }
     numbering.finish()
@@ -61,8 +61,8 @@ pub(super) fn condensed(scene: &Scene, points: &BTreeMap<String, Point>, rods: &
 
 /// Numbers the unknowns of the form with multipliers: every rod has all of its own, and the border holds the
 /// multipliers.
-pub(super) fn with_multipliers(rows: Vec<Row>, rods: &mut [Rod]) -> Numbering {
-    let mut numbering = number_own(rods, |_, _| false, &Held::default());
+pub(super) fn with_multipliers(rows: Vec<Constraint>, rods: &mut [Rod]) -> Numbering {
+    let mut numbering = number_own(rods, |_, _| false, &HeldDirections::default());
     let mut touches = vec![Vec::new(); rods.len()];
     for (n, term) in rows.iter().enumerate().flat_map(|(n, row)| row.terms.iter().map(move |term| (n, term))) {
         touches[term.rod].push(n);
@@ -99,10 +99,10 @@ impl Numbering {
 
 /// Directions in which supports hold nodal vectors, by rod and index in its chain: one, or both.
 #[derive(Default)]
-struct Held(BTreeMap<(usize, usize), Vec<Vector2<f64>>>);
+struct HeldDirections(BTreeMap<(usize, usize), Vec<Vector2<f64>>>);
 
-impl Held {
-    fn of(scene: &Scene, points: &BTreeMap<String, Point>) -> Held {
+impl HeldDirections {
+    fn of(scene: &Scene, points: &BTreeMap<String, Point>) -> HeldDirections {
         let mut held: BTreeMap<(usize, usize), Vec<Vector2<f64>>> = BTreeMap::new();
         for support in &scene.supports {
             for node in &points[&support.point].nodes {
@@ -112,11 +112,11 @@ impl Held {
                 held.entry((node.rod, node.slope)).or_default().push(direction);
             }
         }
-        Held(held)
+        HeldDirections(held)
     }
 
     /// New unknowns for the free components of a nodal vector; its axes are rotated if one oblique direction is held.
-    fn components(&self, rod: usize, vector: usize, kind: UnknownKind, kinds: &mut Vec<UnknownKind>) -> NodeDofs {
+    fn new_dofs(&self, rod: usize, vector: usize, kind: UnknownKind, kinds: &mut Vec<UnknownKind>) -> NodeDofs {
         let directions = self.0.get(&(rod, vector)).map_or(&[][..], Vec::as_slice);
         let (held, turn) = match directions {
             [] => ([false; 2], None),

@@ -9,8 +9,8 @@ impl Bordered {
     pub fn negative_eigenvalues(&self) -> Option<usize> {
         let mut corner = self.corner.clone();
         let mut negative = 0;
-        for (block, place) in self.blocks.iter().zip(&self.layout.blocks) {
-            negative += block.eliminate(place, self.layout.border, &mut corner)?;
+        for (block, layout) in self.blocks.iter().zip(&self.layout.blocks) {
+            negative += block.eliminate(layout, self.layout.border, &mut corner)?;
         }
         let (of_corner, _) = factorize(&corner, self.layout.border_size, self.layout.border_band, &mut [])?;
         Some(negative + of_corner)
@@ -19,12 +19,12 @@ impl Bordered {
 
 impl Block {
     /// Eliminates the block's own unknowns and adds the remainder to the corner; returns the number of negative pivots.
-    fn eliminate(&self, place: &BlockLayout, border: usize, corner: &mut BandMatrix) -> Option<usize> {
+    fn eliminate(&self, layout: &BlockLayout, border: usize, corner: &mut BandMatrix) -> Option<usize> {
         let mut sides: Vec<Vec<f64>> =
             self.right.column_iter().map(|column| column.iter().copied().collect()).collect();
-        let (negative, pivots) = factorize(&self.own, place.size, place.band, &mut sides)?;
-        for (a, side_a) in place.touches.iter().zip(&sides) {
-            for (b, side_b) in place.touches.iter().zip(&sides) {
+        let (negative, pivots) = factorize(&self.own, layout.size, layout.band, &mut sides)?;
+        for (a, side_a) in layout.touches.iter().zip(&sides) {
+            for (b, side_b) in layout.touches.iter().zip(&sides) {
                 let left: f64 = side_a.iter().zip(side_b).zip(&pivots).map(|((x, y), pivot)| x * y / pivot).sum();
                 corner.add(a - border, b - border, -left);
             }

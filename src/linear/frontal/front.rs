@@ -1,12 +1,12 @@
-//! Front of one element: its coordinates, with the border's beside it. Those that no later element touches are
-//! eliminated.
+//! Front of one element: its coordinates, with extra columns and rows of the border. Coordinates that no later element
+//! touches are eliminated.
 
-use super::place::{ElementPlaces, MOST_BORDER_UNKNOWNS, NONE, SHARED};
+use super::element_unknowns::{ElementUnknowns, MOST_BORDER_UNKNOWNS, NO_UNKNOWN, SHARED};
 use crate::linear::number::Number;
 
 /// Threshold of partial pivoting: the diagonal is kept if it is at least this fraction of the largest entry. A row swap
 /// costs more than the digit that may be lost.
-const FAIR: f64 = 0.1;
+const PIVOT_THRESHOLD: f64 = 0.1;
 
 /// Factors of a front.
 #[derive(Clone, Debug)]
@@ -17,7 +17,7 @@ pub(super) struct Front<F, const N: usize> {
     pub swaps: [u8; N],
 }
 
-/// Column and row of one border unknown beside a front.
+/// Extra column and row of a front, of one border unknown.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side<F, const N: usize> {
     /// Column of the border unknown, in the front's rows.
@@ -26,7 +26,7 @@ pub(super) struct Side<F, const N: usize> {
     pub below: [F; N],
 }
 
-/// Border beside the present front, and the corner that earlier fronts have left.
+/// Extra columns and rows of the present front, and the corner that earlier fronts have left.
 pub(super) struct Border<F, const N: usize> {
     pub sides: [Side<F, N>; MOST_BORDER_UNKNOWNS],
     pub corner: [[F; MOST_BORDER_UNKNOWNS]; MOST_BORDER_UNKNOWNS],
@@ -53,23 +53,23 @@ impl<F: Number, const N: usize> Border<F, N> {
         }
     }
 
-    /// Separates the coordinates that are not the chain's own from an element's matrix: a border coordinate moves
-    /// beside the front, a held one is dropped. Either leaves an equation x = 0.
-    pub fn separate(&mut self, place: &ElementPlaces<N>, element: &mut [[F; N]; N]) {
-        for &(n, touch) in &place.others {
+    /// Separates the coordinates that are not the chain's own from an element's matrix: a border coordinate becomes an
+    /// extra column and row, a held one is dropped. Either leaves an equation x = 0.
+    pub fn separate(&mut self, unknowns: &ElementUnknowns<N>, element: &mut [[F; N]; N]) {
+        for &(n, touch) in &unknowns.others {
             if let Some(t) = touch {
-                for (m, other) in &place.others {
+                for (m, other) in &unknowns.others {
                     if let Some(s) = other {
                         self.corner[t][*s] += element[*m][n];
                     }
                 }
-                for m in (0..N).filter(|&m| place.own[m] != NONE) {
+                for m in (0..N).filter(|&m| unknowns.own[m] != NO_UNKNOWN) {
                     self.sides[t].right[m] += element[n][m];
                     self.sides[t].below[m] += element[m][n];
                 }
             }
         }
-        for &(n, _) in &place.others {
+        for &(n, _) in &unknowns.others {
             element[n] = [F::zero(); N];
             element.iter_mut().for_each(|column| column[n] = F::zero());
             element[n][n] = F::one();
@@ -99,10 +99,10 @@ impl<F: Number, const N: usize> Front<F, N> {
     }
 
     /// Swaps a large entry of column k, among the rows eliminated here, to the diagonal. The diagonal stays if it is at
-    /// least a [`FAIR`] fraction of the largest.
+    /// least a [`PIVOT_THRESHOLD`] fraction of the largest.
     #[inline(always)]
     fn pivot(&mut self, k: usize, pivots: usize, sides: &mut [Side<F, N>]) {
-        let (mut row, mut most) = (k, self.lu[k][k].norm1() / FAIR);
+        let (mut row, mut most) = (k, self.lu[k][k].norm1() / PIVOT_THRESHOLD);
         for (below, entry) in self.lu[k][..pivots].iter().enumerate().skip(k + 1) {
             if entry.norm1() > most {
                 (row, most) = (below, entry.norm1());

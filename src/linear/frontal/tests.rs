@@ -37,7 +37,7 @@ impl Shape {
         for chain in 0..self.chains.len() {
             let own = (0..self.coordinates(chain, n)).map(|at| {
                 if self.held.contains(&(chain, at)) || is_shared(chain, at) {
-                    return NONE;
+                    return NO_UNKNOWN;
                 }
                 next += 1;
                 next - 1

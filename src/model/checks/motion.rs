@@ -5,7 +5,7 @@ use crate::model::choice::Method;
 use crate::model::scene::Scene;
 
 /// Largest velocity of a held point relative to the fastest point: rounding.
-const STILL: f64 = 1e-9;
+const REST_TOLERANCE: f64 = 1e-9;
 
 /// Checks that the motion is finite and that the supports allow it.
 pub(in crate::model) fn check_motion(scene: &Scene) -> Check {
@@ -32,7 +32,7 @@ pub(in crate::model) fn check_motion(scene: &Scene) -> Check {
                 "a motion that leaves `{}` where supports[{i}] holds it; here it moves at {along:e} m/s along {direction:?}",
                 support.point
             );
-            require(along.abs() <= STILL * fastest, "motion", format_args!("{motion:?}"), allowed)?;
+            require(along.abs() <= REST_TOLERANCE * fastest, "motion", format_args!("{motion:?}"), allowed)?;
         }
         if support.clamp.is_some() {
             let allowed = format_args!("0, as supports[{i}] clamps a rod at `{}`", support.point);

@@ -30,7 +30,7 @@ pub(in crate::model) fn check_probes(scene: &Scene) -> Check {
 fn check_at_point(scene: &Scene, i: usize, probe: &Probe, point: &str, rod: Option<&str>) -> Check {
     check_node(scene, format_args!("probes[{i}].point"), point)?;
     if let Some(at) = probe.at {
-        let allowed = "nothing beside `point`: it is a place on a rod, without `point`";
+        let allowed = "nothing beside `point`: `at` is a place on a rod, given by `rod` without `point`";
         require(false, format_args!("probes[{i}].at"), format_args!("{at:?}"), allowed)?;
     }
     if let Some(name) = rod {
@@ -47,7 +47,9 @@ fn check_at_point(scene: &Scene, i: usize, probe: &Probe, point: &str, rod: Opti
                 supported,
                 "a reaction at a point that a support holds, or with `rod` for the force of a pin on that rod",
             ),
-            (_, Some(_)) => (false, "\"reaction\" only beside `rod`: the pinned rods move alike"),
+            (_, Some(_)) => {
+                (false, "\"reaction\" only beside `rod`: pinned rods share every other quantity of the point")
+            }
             (_, None) => (true, ""),
         };
         require(holds, format_args!("probes[{i}].of[{k}]"), format_args!("\"{quantity}\""), allowed)?;
@@ -58,7 +60,7 @@ fn check_at_point(scene: &Scene, i: usize, probe: &Probe, point: &str, rod: Opti
 /// Checks a probe of a place along a rod.
 fn check_on_rod(scene: &Scene, i: usize, probe: &Probe, rod: &str) -> Check {
     check_rod(scene, format_args!("probes[{i}].rod"), rod, None)?;
-    let allowed = "a number from 0 to 1, with both: the place as a fraction of the rod's length";
+    let allowed = "a number from 0 to 1, both included: the place as a fraction of the rod's length";
     let key = format_args!("probes[{i}].at");
     match probe.at {
         Some(at) => require((0.0..=1.0).contains(&at), key, format_args!("{at:?}"), allowed)?,

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use super::topology::{check_list, check_node, check_rod};
 use crate::model::check::{Check, finite, require};
-use crate::model::choice::Direction;
 use crate::model::json::words::Words;
 use crate::model::scene::Scene;
 use crate::model::supports::Support;
@@ -14,7 +13,7 @@ const PARALLEL: f64 = 1e-9;
 
 /// Checks the supports, each by itself and against the others.
 pub(in crate::model) fn check_supports(scene: &Scene) -> Check {
-    let mut points: BTreeMap<&str, Held> = BTreeMap::new();
+    let mut points: BTreeMap<&str, HeldPoint> = BTreeMap::new();
     for (i, support) in scene.supports.iter().enumerate() {
         check_support(scene, i, support)?;
         points.entry(&support.point).or_default().add(i, support)?;
@@ -45,35 +44,31 @@ fn check_support(scene: &Scene, i: usize, support: &Support) -> Check {
 
 /// Directions and sections held at one point by the supports checked so far.
 #[derive(Default)]
-struct Held<'a> {
+struct HeldPoint<'a> {
     /// Unit vectors along which the point is held, at most two.
-    directions: Vec<Hold>,
+    directions: Vec<HeldDirection>,
     /// Rods whose sections are clamped there, with the number of the support.
     clamps: BTreeMap<&'a str, usize>,
 }
 
 /// Unit vector along which a point is held, with its origin in the scene.
-struct Hold {
+struct HeldDirection {
     direction: [f64; 2],
     /// Whether it is the normal of a slide.
     slide: bool,
     by: String,
 }
 
-impl<'a> Held<'a> {
+impl<'a> HeldPoint<'a> {
     /// Adds support number `i`, which must hold what was free so far.
     fn add(&mut self, i: usize, support: &'a Support) -> Check {
         let Support { point, fix, slide, clamp } = support;
         for (k, axis) in fix.iter().enumerate() {
-            let direction = match axis {
-                Direction::X => [1.0, 0.0],
-                Direction::Y => [0.0, 1.0],
-            };
-            let hold = Hold { direction, slide: false, by: format!("supports[{i}].fix") };
+            let hold = HeldDirection { direction: axis.unit(), slide: false, by: format!("supports[{i}].fix") };
             self.hold(hold, point, format!("supports[{i}].fix[{k}]"), format!("\"{axis}\""))?;
         }
         if let (Some(slide), Some(direction)) = (*slide, support.across()) {
-            let hold = Hold { direction, slide: true, by: format!("supports[{i}].slide") };
+            let hold = HeldDirection { direction, slide: true, by: format!("supports[{i}].slide") };
             self.hold(hold, point, format!("supports[{i}].slide"), format!("{slide:?}"))?;
         }
         if let Some(rod) = clamp
@@ -89,9 +84,9 @@ impl<'a> Held<'a> {
 
     /// Adds one direction. In the plane a slide excludes any other: a direction parallel to its normal is redundant,
     /// every other one blocks the slide.
-    fn hold(&mut self, new: Hold, point: &str, key: String, value: String) -> Check {
+    fn hold(&mut self, new: HeldDirection, point: &str, key: String, value: String) -> Check {
         let [x, y] = new.direction;
-        let parallel = |old: &&Hold| (old.direction[0] * y - old.direction[1] * x).abs() <= PARALLEL;
+        let parallel = |old: &&HeldDirection| (old.direction[0] * y - old.direction[1] * x).abs() <= PARALLEL;
         let (first, verdict) = match (self.directions.iter().find(parallel), self.directions.as_slice()) {
             // Both directions are held, the slide's among them.
             (_, [first, _]) if new.slide => (first, "contradicts"),

@@ -16,7 +16,7 @@ const MOST_NUMBERS: f64 = 1e8;
 
 /// Tolerance of a whole ratio: relative, and absolute in the unit of the ratio. The first accepts steps written with
 /// ten digits; the second keeps the end of a long run within a thousandth of a step.
-const WHOLE: (f64, f64) = (1e-9, 1e-3);
+const WHOLE_TOLERANCE: (f64, f64) = (1e-9, 1e-3);
 
 /// Checks the steps and the methods' parameters.
 pub(in crate::model) fn check_time(scene: &Scene) -> Check {
@@ -38,7 +38,7 @@ pub(in crate::model) fn check_time(scene: &Scene) -> Check {
         positive("time.tolerance", tolerance)?;
     }
     let rho_holds = (0.0..=1.0).contains(&rho_inf);
-    require(rho_holds, "time.rho_inf", format_args!("{rho_inf:?}"), "a number from 0 to 1, with both")?;
+    require(rho_holds, "time.rho_inf", format_args!("{rho_inf:?}"), "a number from 0 to 1, both included")?;
     let tolerance_holds = newton_tolerance > 0.0 && newton_tolerance <= 1e-2;
     let allowed = "a number over 0, and not over 1e-2";
     require(tolerance_holds, "time.newton_tolerance", format_args!("{newton_tolerance:?}"), allowed)?;
@@ -84,5 +84,5 @@ fn whole(key: &str, duration: f64, (unit, step): (&str, f64), part: f64) -> Chec
 }
 
 fn is_whole(count: f64) -> bool {
-    count > 0.5 && (count - count.round()).abs() <= (WHOLE.0 * count).min(WHOLE.1)
+    count > 0.5 && (count - count.round()).abs() <= (WHOLE_TOLERANCE.0 * count).min(WHOLE_TOLERANCE.1)
 }

@@ -15,13 +15,13 @@ pub(in crate::model) const MOST_ELEMENTS: usize = 100_000;
 
 /// Shortest rod relative to the largest coordinate of its ends: below it the difference of the ends has fewer than
 /// seven digits.
-const SHORTEST: f64 = 1e-9;
+const SHORTEST_ROD: f64 = 1e-9;
 
 /// Most names listed in a message.
 const MOST_NAMES: usize = 8;
 
 /// Largest distance between the middles of two rods with one pivot, relative to the shorter rod.
-const SAME_PLACE: f64 = 1e-9;
+const PIVOT_TOLERANCE: f64 = 1e-9;
 
 /// Checks points, rods and pivots.
 pub(in crate::model) fn check_topology(scene: &Scene) -> Check {
@@ -54,11 +54,11 @@ fn check_rods(scene: &Scene) -> Check {
             let length = (x1 - x0).hypot(y1 - y0);
             let size = [x0, y0, x1, y1].iter().fold(0.0, |size: f64, x| size.max(x.abs()));
             let allowed = format_args!(
-                "a point further from `{}` than {SHORTEST:e} of their coordinates; the rod's length is {length:?} m",
+                "a point further from `{}` than {SHORTEST_ROD:e} of their coordinates; the rod's length is {length:?} m",
                 rod.from
             );
             // `length` overflows for points too far apart.
-            require(length > SHORTEST * size && length.is_finite(), key, format_args!("{:?}", rod.to), allowed)?;
+            require(length > SHORTEST_ROD * size && length.is_finite(), key, format_args!("{:?}", rod.to), allowed)?;
         }
         let most = MOST_ELEMENTS - elements;
         let allowed = format_args!("a whole number from 1 to {most} ({MOST_ELEMENTS} in all rods)");
@@ -78,7 +78,7 @@ fn check_pivots(scene: &Scene) -> Check {
         if let Some(pivot) = &rod.pivot {
             let key = format_args!("rods[{i}].pivot");
             check_name(key, pivot)?;
-            let allowed = "a name that no point in `points` has, as it stands for the middles of rods";
+            let allowed = "a name that no point in `points` has, since a pivot is the middle of rods";
             require(!scene.points.contains_key(pivot), key, format_args!("{pivot:?}"), allowed)?;
             let has_node = rod.elements.is_multiple_of(2) || rod.element == Element::Ancf;
             let allowed = format_args!(
@@ -106,7 +106,7 @@ fn check_same_middle(scene: &Scene, first: &Rod, other: &Rod, key: impl Display)
     let allowed = format_args!(
         "rods whose middles are at one place: `{first_name}` has its middle at {a:?}, `{other_name}` at {b:?}"
     );
-    let holds = (a[0] - b[0]).hypot(a[1] - b[1]) <= SAME_PLACE * scene.length(first).min(scene.length(other));
+    let holds = (a[0] - b[0]).hypot(a[1] - b[1]) <= PIVOT_TOLERANCE * scene.length(first).min(scene.length(other));
     require(holds, key, format_args!("{:?}", other.pivot.as_deref().unwrap_or_default()), allowed)
 }
 
@@ -123,7 +123,7 @@ fn check_point(scene: &Scene, key: impl Display, name: &str) -> Check {
         return Ok(());
     }
     let known = || scene.points.keys().map(String::as_str);
-    let allowed = format!("the name of a point in `points` ({}){}", list(known()), or_nearest(name, known()));
+    let allowed = format!("the name of a point in `points` ({}){}", list_names(known()), or_nearest(name, known()));
     require(false, key, format_args!("{name:?}"), allowed)
 }
 
@@ -135,13 +135,14 @@ pub(in crate::model) fn check_node(scene: &Scene, key: impl Display, name: &str)
     let pivots: BTreeSet<&str> = scene.rods.iter().filter_map(|rod| rod.pivot.as_deref()).collect();
     let known = || scene.points.keys().map(String::as_str).chain(pivots.iter().copied());
     let nearest = or_nearest(name, known());
-    let gone = if nearest.is_empty() { "; where a point was taken away, what stands at it goes too" } else { "" };
-    let allowed = format!("the name of a point in `points` or of a rod's pivot ({}){nearest}{gone}", list(known()));
+    let advice = if nearest.is_empty() { "; where a point was taken away, what stands at it goes too" } else { "" };
+    let allowed =
+        format!("the name of a point in `points` or of a rod's pivot ({}){nearest}{advice}", list_names(known()));
     require(false, key, format_args!("{name:?}"), allowed)
 }
 
 /// Names in a list, or the first few.
-fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
+fn list_names<'a>(names: impl Iterator<Item = &'a str>) -> String {
     let names: Vec<String> = names.map(|name| format!("`{name}`")).collect();
     let more = if names.len() > MOST_NAMES { ", …" } else { "" };
     match names.len() {
@@ -154,7 +155,7 @@ fn list<'a>(names: impl Iterator<Item = &'a str>) -> String {
 pub(in crate::model) fn check_rod(scene: &Scene, key: impl Display, name: &str, point: Option<&str>) -> Check {
     let Some(rod) = scene.rods.iter().find(|rod| rod.name == name) else {
         let known = || scene.rods.iter().map(|rod| rod.name.as_str());
-        let allowed = format!("the name of a rod ({}){}", list(known()), or_nearest(name, known()));
+        let allowed = format!("the name of a rod ({}){}", list_names(known()), or_nearest(name, known()));
         return require(false, key, format_args!("{name:?}"), allowed);
     };
     let Some(point) = point else { return Ok(()) };

@@ -24,7 +24,7 @@ pub fn read_scene(text: &str, file: &str) -> Result<Scene> {
         if let Some(at) = start_of(text, &refusal.key) {
             refusal.value = value_at(text, at);
         }
-        let place = place_of(text, &refusal.key);
+        let place = position_of(text, &refusal.key);
         refusal.into_error(file, Some(place))
     })?;
     Ok(scene)
@@ -33,7 +33,7 @@ pub fn read_scene(text: &str, file: &str) -> Result<Scene> {
 /// Error of a value in a file other than a scene, with the value as written and its place.
 pub fn refuse_in_file(refusal: Refusal, text: &str, file: &str) -> Error {
     let value = start_of(text, &refusal.key).map(|at| value_at(text, at)).filter(|value| !value.starts_with('['));
-    let place = place_of(text, &refusal.key);
+    let place = position_of(text, &refusal.key);
     Refusal { value: value.unwrap_or_else(|| refusal.value.clone()), ..refusal }.into_error(file, Some(place))
 }
 
@@ -44,7 +44,7 @@ pub fn refuse_in_file(refusal: Refusal, text: &str, file: &str) -> Error {
 pub fn read_json<T: DeserializeOwned>(text: &str, file: &str, whole: &str) -> Result<T> {
     let refused = |path: &str, error: &serde_json::Error| {
         let (mut refusal, place) = explain(text, path, error);
-        if refusal.key == WHOLE {
+        if refusal.key == WHOLE_FILE {
             refusal.key = whole.into();
         }
         refusal.into_error(file, Some(place))
@@ -74,7 +74,7 @@ fn read(text: &str) -> std::result::Result<Scene, (Refusal, (usize, usize))> {
 }
 
 /// Line and column of the value of `key`, or of the innermost existing part around it.
-fn place_of(text: &str, key: &str) -> (usize, usize) {
+fn position_of(text: &str, key: &str) -> (usize, usize) {
     let mut key = key;
     loop {
         if let Some(at) = start_of(text, key) {
@@ -120,18 +120,18 @@ fn explain(text: &str, path: &str, error: &serde_json::Error) -> (Refusal, (usiz
         // At the end of a line serde_json counts from 0.
         let place = (error.line().max(1), error.column().max(1));
         let value = if error.is_eof() { "cut off at the end of the file".into() } else { "not JSON here".into() };
-        return (Refusal { key: whole(path), value, allowed: format!("JSON ({reason})") }, place);
+        return (Refusal { key: named_key(path), value, allowed: format!("JSON ({reason})") }, place);
     };
-    let place = place_of(text, &key);
-    (Refusal { key: whole(&key), value, allowed }, place)
+    let place = position_of(text, &key);
+    (Refusal { key: named_key(&key), value, allowed }, place)
 }
 
 /// Key of an error that concerns the whole scene file.
-const WHOLE: &str = "scene";
+const WHOLE_FILE: &str = "scene";
 
 /// The key, or the name for the whole file.
-fn whole(key: &str) -> String {
-    if key.is_empty() { WHOLE.into() } else { key.into() }
+fn named_key(key: &str) -> String {
+    if key.is_empty() { WHOLE_FILE.into() } else { key.into() }
 }
 
 /// Known names, and the one nearest to `name`.

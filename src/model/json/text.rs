@@ -48,9 +48,9 @@ fn write(json: &str, indent: usize, text: &mut String) {
 /// Compact JSON with a space behind each comma and colon.
 fn one_line(json: &str) -> String {
     let mut line = String::with_capacity(json.len() + json.len() / 4);
-    for (c, place) in marks(json) {
+    for (c, context) in characters(json) {
         line.push(c);
-        if place != Place::Text && (c == ',' || c == ':') {
+        if context != Context::Text && (c == ',' || c == ':') {
             line.push(' ');
         }
     }
@@ -60,8 +60,8 @@ fn one_line(json: &str) -> String {
 /// Entries of a compact list, or members of a compact object.
 fn parts(json: &str) -> Vec<&str> {
     let (mut parts, mut start, mut at) = (Vec::new(), 1, 0);
-    for (c, place) in marks(json) {
-        if place == Place::Depth(1) && c == ',' {
+    for (c, context) in characters(json) {
+        if context == Context::Depth(1) && c == ',' {
             parts.extend(json.get(start..at));
             start = at + 1;
         }
@@ -74,8 +74,8 @@ fn parts(json: &str) -> Vec<&str> {
 /// Key, with its quotes, and value of a compact member.
 fn member(part: &str) -> (&str, &str) {
     let mut at = 0;
-    for (c, place) in marks(part) {
-        if place != Place::Text && c == ':' {
+    for (c, context) in characters(part) {
+        if context != Context::Text && c == ':' {
             break;
         }
         at += c.len_utf8();
@@ -85,7 +85,7 @@ fn member(part: &str) -> (&str, &str) {
 
 /// Context of a character in a JSON text.
 #[derive(PartialEq)]
-enum Place {
+enum Context {
     /// Inside a string.
     Text,
     /// At this depth of nested lists and objects.
@@ -93,7 +93,7 @@ enum Place {
 }
 
 /// Characters of a JSON text, each with its context.
-fn marks(json: &str) -> impl Iterator<Item = (char, Place)> {
+fn characters(json: &str) -> impl Iterator<Item = (char, Context)> {
     let (mut depth, mut text, mut escaped) = (0_usize, false, false);
     json.chars().map(move |c| {
         match c {
@@ -104,6 +104,6 @@ fn marks(json: &str) -> impl Iterator<Item = (char, Place)> {
             ']' | '}' if !text => depth = depth.saturating_sub(1),
             _ => {}
         }
-        (c, if text { Place::Text } else { Place::Depth(depth) })
+        (c, if text { Context::Text } else { Context::Depth(depth) })
     })
 }

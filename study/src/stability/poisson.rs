@@ -53,7 +53,7 @@ fn trials() -> Vec<Trial> {
             add(nu, Expected::result_if((-0.99..=0.4999999).contains(&nu)));
         }
         for nu in [-1.0, 0.5, -1.5, 0.7, f64::NAN, f64::INFINITY] {
-            add(nu, Expected::Refusal(&["material.nu", "a number between -1 and 0.5, without both"]));
+            add(nu, Expected::Refusal(&["material.nu", "a number between -1 and 0.5, both excluded"]));
         }
     }
     trials
