@@ -7,6 +7,11 @@ pub mod elements {
     pub use crate::elements::*;
 }
 
+/// Numbers and functions of the paper, quadrature.
+pub mod equations {
+    pub use crate::equations::inside::*;
+}
+
 /// Time-stepping methods, Newton's iteration and statics.
 pub mod integrators {
     pub use crate::integrators::inside::*;
@@ -36,4 +41,9 @@ pub mod schema {
 /// Structures: numbering, assembly, constraints, mass.
 pub mod structure {
     pub use crate::structure::*;
+}
+
+/// The terms of (23) for a structure.
+pub mod state {
+    pub use crate::state::inside::*;
 }

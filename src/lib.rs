@@ -36,13 +36,12 @@
 //! # Check another implementation
 //!
 //! [`state::ElementState`] reads the state of one element from JSON, and [`state::evaluate`] gives the value of any
-//! quantity in [`equations::CONTENTS`] for it. The fixtures hold such states with exact values:
+//! quantity of the fixtures for it. The fixtures hold such states with exact values:
 //!
 //! * `equations.json`: 36 states of the paper's element;
 //! * `cable.json`: 27 states of the [`cable`](equations::cable) element, for [`state::CableState`] and
 //!   [`state::evaluate_cable`];
-//! * `structure.json`: the terms of (23) for pinned rods, and their motion, for [`state::SystemState`] and
-//!   [`state::evaluate_system`];
+//! * `structure.json`: the terms of (23) for pinned rods, and their motion;
 //! * `pendulum.json`: the motion of the pendulum; `continuum.json`: that of a plane solid;
 //! * `references.json`: solutions of statics, heat and vibration.
 //!
@@ -69,7 +68,7 @@
 //! M ë + Q_e = Q_w, (22), as Φ_qᵀ λ is in (23). A reaction is the force of a support *on the structure*. A deflection is
 //! positive to the left of from → to.
 //!
-//! **Equation → function.** [`equations::CONTENTS`] lists them all.
+//! **Equation → function.** `src/equations/contents.rs` lists them all.
 //!
 //! | equation | function | | equation | function |
 //! |---|---|---|---|---|

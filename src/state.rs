@@ -1,11 +1,9 @@
-//! States to evaluate the equations for: of one element, of one [`cable`](crate::equations::cable) element, or the terms of (23) for a
-//! structure.
+//! States to evaluate the equations for: of one element, of one [`cable`](crate::equations::cable) element.
 //!
 //! | state | read by | evaluated by |
 //! |---|---|---|
 //! | [`ElementState`] | [`ElementState::parse`] | [`evaluate`] |
 //! | [`CableState`] | [`CableState::parse`] | [`evaluate_cable`] |
-//! | [`SystemState`] | | [`evaluate_system`] |
 //!
 //! The JSON form of a state is a contract: the fixtures and other programs use it.
 
@@ -20,4 +18,8 @@ pub use crate::model::ThermalModel;
 pub use beam::{BeamState, CableState, ElementState};
 pub use cable::evaluate_cable;
 pub use element::evaluate;
-pub use system::{SystemState, evaluate_system};
+
+/// The terms of (23), which only the conformance kit evaluates by name.
+pub(crate) mod inside {
+    pub use super::system::{SystemState, evaluate_system};
+}

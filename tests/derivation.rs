@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use ancf::equations::CONTENTS;
+use ancf::internals::equations::CONTENTS;
 
 const PAGE: &str = "oracle/DERIVATION.md";
 

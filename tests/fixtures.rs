@@ -9,8 +9,9 @@ use std::sync::LazyLock;
 
 use ancf::equations::element::Element;
 use ancf::equations::material::{LameConstants, YoungPoisson};
-use ancf::equations::{CONTENTS, Entry};
-use ancf::state::{evaluate, evaluate_cable, evaluate_system};
+use ancf::internals::equations::{CONTENTS, Entry};
+use ancf::internals::state::evaluate_system;
+use ancf::state::{evaluate, evaluate_cable};
 use common::cable::{self, cables};
 use common::scale::scale;
 use common::system::{Terms, systems};

@@ -6,8 +6,8 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use ancf::equations::CONTENTS;
 use ancf::error::Error;
+use ancf::internals::equations::CONTENTS;
 use ancf::state::{CableState, ElementState};
 use ancf_conform::{State, Suite};
 use serde_json::{Value, json};

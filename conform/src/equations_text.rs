@@ -1,7 +1,8 @@
 //! Listing of every equation's value in one state, for debugging by eye.
 
-use ancf::equations::{CONTENTS, Entry, Form};
-use ancf::state::{ThermalModel, evaluate, evaluate_cable, evaluate_system};
+use ancf::internals::equations::{CONTENTS, Entry, Form};
+use ancf::internals::state::evaluate_system;
+use ancf::state::{ThermalModel, evaluate, evaluate_cable};
 
 use crate::error::Result;
 use crate::suite::{Length, Per, Quantity, State, Suite};

@@ -5,7 +5,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use ancf::state::{CableState, ElementState, SystemState};
+use ancf::internals::state::SystemState;
+use ancf::state::{CableState, ElementState};
 use nalgebra::{DMatrix, DVector};
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;

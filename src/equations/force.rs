@@ -1,6 +1,6 @@
 //! Equations (18)–(21): strain energy, elastic forces and stiffness; and the tangent ∂Q_e/∂e, which the paper leaves out.
 //!
-//! All in global axes. The volume integrals are exact for a straight initial configuration ([`volume`](super::volume)). Where
+//! All in global axes. The volume integrals are exact for a straight initial configuration (`volume.rs`). Where
 //! J₀ is singular the results are not finite.
 //!
 //! Derived step by step: `oracle/DERIVATION.md#5-energy-and-forces`, there (18) and E3 `#18-strain-energy`,

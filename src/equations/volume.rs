@@ -8,7 +8,7 @@
 //! (M5, `oracle/DERIVATION.md#m5-how-many-gauss-points-are-exact`.)
 //!
 //! ```
-//! use ancf::equations::volume::gauss_points;
+//! use ancf::internals::equations::volume::gauss_points;
 //!
 //! let (l, h, w) = (2.0, 0.1, 0.05);
 //! // ∫ y² dV = l w h³/12

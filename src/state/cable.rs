@@ -10,7 +10,7 @@ use crate::equations::cable::{self, Vector8};
 use crate::equations::motion;
 use crate::model::ThermalModel;
 
-/// Value of a `quantity` (`cable.…`) of [`CONTENTS`](crate::equations::CONTENTS) for the state of a cable element.
+/// Value of a `quantity` (`cable.…`) of `equations/contents.rs` for the state of a cable element.
 ///
 /// Matrices row by row; point quantities one point after the other. `None` for an unknown quantity, and for the acceleration
 /// where the mass matrix is not positive definite.

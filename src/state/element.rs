@@ -36,7 +36,7 @@ impl ElementState {
     }
 }
 
-/// Value of a `quantity` of [`CONTENTS`](crate::equations::CONTENTS) for the state of an element.
+/// Value of a `quantity` of `equations/contents.rs` for the state of an element.
 ///
 /// Matrices row by row; point quantities one point after the other. `None` for an unknown quantity, and for (22) where the
 /// mass matrix is not positive definite.

@@ -26,7 +26,7 @@ pub struct SystemState {
     pub f: DVector<f64>,
 }
 
-/// Value of a `quantity` of (23) in [`CONTENTS`](crate::equations::CONTENTS) for the state of a structure.
+/// Value of a `quantity` of (23) in `equations/contents.rs` for the state of a structure.
 ///
 /// `None` for an unknown quantity, where the printed form is not defined, and where the matrix of (23) is singular.
 ///

@@ -1,6 +1,6 @@
 //! `fixtures/structure.json`: the terms of (23), and the size of what is added up for its quantities.
 
-use ancf::state::SystemState;
+use ancf::internals::state::SystemState;
 use nalgebra::{DMatrix, DVector};
 use serde_json::Value;
 

@@ -11,7 +11,7 @@ use super::quadrature::{Integrand, K, bracket, exact, gauss, integrands, materia
 use ancf::equations::element::Matrix14;
 use ancf::equations::material::{self as law, LameConstants};
 use ancf::equations::shape::{self, Vector14};
-use ancf::equations::volume::{GAUSS_3, GAUSS_5, Point};
+use ancf::internals::equations::volume::{GAUSS_3, GAUSS_5, Point};
 use ancf::state::{ElementState, ThermalModel};
 
 /// Candidates for a quantity that is an integral.

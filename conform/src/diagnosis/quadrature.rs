@@ -8,7 +8,7 @@ use ancf::equations::element::{Element, Matrix14};
 use ancf::equations::force::S_1;
 use ancf::equations::shape::Vector14;
 use ancf::equations::strain::S_abc;
-use ancf::equations::volume::{GAUSS_3, GAUSS_5, Point, gauss_points};
+use ancf::internals::equations::volume::{GAUSS_3, GAUSS_5, Point, gauss_points};
 use ancf::state::ElementState;
 
 /// Parts of the integrands of (18) and (21) at one point.

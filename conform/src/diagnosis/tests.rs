@@ -233,7 +233,7 @@ fn the_tangents_own_part_by_another_rule() {
             let stiff = lambda + 2.0 * mu;
             let weights = [[stiff, lambda, 0.0], [lambda, stiff, 0.0], [0.0, 0.0, 4.0 * mu]];
             let (e, element) = (state.e.into(), state.element());
-            let part = |rule: &[ancf::equations::volume::Point]| {
+            let part = |rule: &[ancf::internals::equations::volume::Point]| {
                 quadrature::material(&quadrature::integrands(&e, &element, rule), |s| s.S_1.map(|S_1| S_1 * e), weights)
             };
             let coarse =

@@ -9,7 +9,8 @@ use crate::diagnosis::entries::rows;
 use ancf::equations::inertia;
 use ancf::equations::motion;
 use ancf::equations::shape::Vector14;
-use ancf::state::{ElementState, SystemState, evaluate};
+use ancf::internals::state::SystemState;
+use ancf::state::{ElementState, evaluate};
 
 /// Terms of (22).
 pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
