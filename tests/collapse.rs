@@ -8,9 +8,10 @@ mod common;
 mod states;
 
 use ancf::equations::material::LameConstants;
-use ancf::equations::{cable, shape, strain, volume};
+use ancf::equations::{cable, shape, strain};
 use ancf::error::Error;
 use ancf::internals::elements::{Ancf, Beam, Cable, Law};
+use ancf::internals::equations::volume;
 use ancf::model::{Element, Force, Method, Poisson, Scene};
 use ancf::run::run;
 use proptest::prelude::*;
