@@ -6,12 +6,12 @@ use ancf::model::{Material, Method, Rod, Scene, Section, Support, Temperature, T
 use ancf::run::Simulation;
 
 fn main() -> ancf::error::Result<()> {
-    let scene = Scene::new(Material::new(2e8, 0.0, 2766.67).alpha(2.85e-5), Section::new(0.02, 0.02))
+    let scene = Scene::new(Material::new(2e8, 0.0, 7750.0).alpha(2.85e-5), Section::new(0.02, 0.02))
         .point("pivot", [0.0, 0.0])
         .point("tip", [1.0, 0.0])
         .rod(Rod::new("rod", "pivot", "tip"))
         .support(Support::pinned("pivot"))
-        .gravity([0.0, -9.81])
+        .gravity([0.0, -9.8])
         .temperature(Temperature::new(ThermalModel::TwoD, vec![[0.0, 200.0]]).relaxed())
         .method(Method::EnergyMomentum, 1e-3)
         .until(1.0);
