@@ -19,7 +19,7 @@ fn a_scene_without_probes_is_estimated_at_its_points() {
     scene.probes.clear();
     let estimated = run_estimated(&scene, |_| ()).unwrap();
     assert_eq!(estimated.trajectory, run(&scene).unwrap().trajectory);
-    let with_probe = run_estimated(&pendulum(Method::Gauss, 1e-3), |_| ()).unwrap();
+    let with_probe = run_estimated(pendulum(Method::Gauss, 1e-3), |_| ()).unwrap();
     assert_eq!(estimated.accuracy, with_probe.accuracy);
 }
 
@@ -85,7 +85,7 @@ fn a_structure_at_rest_is_estimated() {
 /// Velocities, reactions and energies are not estimated, which is said where the estimates are.
 #[test]
 fn what_is_not_estimated_is_said() {
-    let run = run_estimated(&pendulum(Method::EnergyMomentum, 1e-3), |_| ()).unwrap();
+    let run = run_estimated(pendulum(Method::EnergyMomentum, 1e-3), |_| ()).unwrap();
     for estimate in [run.accuracy.time, run.accuracy.space] {
         let method = estimate.unwrap().method;
         assert!(method.contains("velocities, reactions and energies are not estimated"), "{method}");
@@ -98,7 +98,7 @@ fn estimates_fall_with_the_step() {
     for (method, step, order) in
         [(Method::EnergyMomentum, 1e-3, 2), (Method::GeneralizedAlpha, 1e-3, 2), (Method::Explicit, 4e-5, 2)]
     {
-        let time = |step| run_estimated(&pendulum(method, step), |_| ()).unwrap().accuracy.time.unwrap().value;
+        let time = |step| run_estimated(pendulum(method, step), |_| ()).unwrap().accuracy.time.unwrap().value;
         let (coarse, fine) = (time(step), time(0.5 * step));
         let seen = (coarse / fine).log2();
         println!("{method}: {coarse:.1e}, {fine:.1e} m, order {seen:.2}");
@@ -167,8 +167,8 @@ fn the_tolerance_of_newton_is_estimated() {
         scene.time.newton_tolerance = tolerance;
         scene
     };
-    let exact = run(&with(1e-12)).unwrap();
-    let coarse = run_estimated(&with(5e-3), |_| ()).unwrap();
+    let exact = run(with(1e-12)).unwrap();
+    let coarse = run_estimated(with(5e-3), |_| ()).unwrap();
     let off = |row: (&Vec<f64>, &Vec<f64>)| (row.0[1] - row.1[1]).hypot(row.0[2] - row.1[2]);
     let off = coarse.trajectory.rows.iter().zip(&exact.trajectory.rows).map(off).fold(0.0, f64::max);
     let time = coarse.accuracy.time.unwrap();
@@ -232,7 +232,7 @@ fn what_comes_and_goes_within_a_step_is_seen() {
         }
     }
     let short = vec![[0.10005, 0.0], [0.10006, 1.0], [0.10007, 0.0]];
-    match run_estimated(&shaken(Method::EnergyMomentum, 1e4, short), |_| ()) {
+    match run_estimated(shaken(Method::EnergyMomentum, 1e4, short), |_| ()) {
         Err(error @ Error::NoEstimate { .. }) => {
             let message = error.to_string();
             assert!(message.contains("1/16 of the step") && message.contains("the force at `a`"), "{message}");
@@ -348,7 +348,7 @@ fn a_wave_that_vanishes_at_each_step_is_seen() {
     let corners = (0..200).map(|k| [(f64::from(k) + 0.5) * 1e-3, 1.0 - 2.0 * f64::from(k % 2)]);
     let wave: Vec<[f64; 2]> = [[0.0, 0.0]].into_iter().chain(corners).collect();
     for method in [Method::EnergyMomentum, Method::GeneralizedAlpha] {
-        match run_estimated(&shaken(method, 500.0, wave.clone()), |_| ()) {
+        match run_estimated(shaken(method, 500.0, wave.clone()), |_| ()) {
             Err(Error::Inaccurate { time, moved, .. }) => assert!(time > moved, "{method}: {time:e} {moved:e}"),
             other => panic!("{method}: {:?}", other.map(|run| run.accuracy)),
         }

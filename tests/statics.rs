@@ -465,7 +465,7 @@ fn structures_that_only_look_loose_are_accepted() {
         vec![slide("o", [1.0, 1.0]), clamped(slide("a", [1.0, -1.0]))],
         vec![clamped(fixed("o"))],
     ] {
-        assert!(Structure::new(&bar(supports.clone())).is_ok(), "{supports:?}");
+        assert!(Structure::new(bar(supports.clone())).is_ok(), "{supports:?}");
     }
 }
 

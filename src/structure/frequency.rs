@@ -201,7 +201,7 @@ mod tests {
     /// An estimate that is too low is noticed; the bound is above the exact value by at most 2·10⁻⁶.
     #[test]
     fn nothing_is_above_the_largest_eigenvalue() {
-        let structure = Structure::new(&pair()).unwrap();
+        let structure = Structure::new(pair()).unwrap();
         let mut mass = structure.factorize_mass().unwrap();
         for strain in [-0.1, 0.0, 0.05] {
             let states = structure.states(1.0, &[[strain; 2], [0.5 * strain; 2]]);
