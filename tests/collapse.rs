@@ -132,7 +132,7 @@ fn adaptive_steps_are_shortened_before_an_element_collapses() {
         scene
     };
     for method in [Method::GaussAdaptive, Method::NystromAdaptive] {
-        let run = run(&pressed(method, Element::EulerBernoulli, 0.1)).unwrap();
+        let run = run(pressed(method, Element::EulerBernoulli, 0.1)).unwrap();
         // Shortened by up to twice what rests under this force, and the tolerance.
         let x = run.trajectory.column("tip.x").unwrap();
         assert!(run.counts.rejected > 0 && x.iter().all(|x| (0.6..1.1).contains(x)), "{method}: {x:?}");

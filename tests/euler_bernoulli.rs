@@ -207,7 +207,7 @@ fn a_rod_turned_inside_out_sets_no_limit() {
 /// Errors name the place of an unknown of this element as of the other.
 #[test]
 fn unknowns_have_places() {
-    let structure = Structure::new(&scissors(1, ThermalModel::None)).unwrap();
+    let structure = Structure::new(scissors(1, ThermalModel::None)).unwrap();
     let pivot = structure.unknown("a1b2", 4, 0).unwrap();
     assert_eq!(structure.location(pivot), "the point `m1`");
     assert_eq!(structure.location(structure.unknown("a1b2", 3, 0).unwrap()), "the rod `a1b2`");

@@ -120,7 +120,7 @@ fn cantilever(form: &str, degrees: f64, [along, across]: [f64; 2], time: &str) -
             "forces": [{{"point": "a", "force": {force:?}}}],
             "time": {time}, "probes": [{{"name": "a", "point": "a", "of": ["position"]}}]}}"#
     );
-    run(&Model::parse(&text, "cantilever").unwrap().into_scene()).unwrap()
+    run(Model::parse(&text, "cantilever").unwrap().into_scene()).unwrap()
 }
 
 /// How far the tip goes along the rod and across it.

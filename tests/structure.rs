@@ -39,7 +39,7 @@ fn somewhere(structure: &Structure, size: f64) -> DVector<f64> {
 /// The tangent of two pinned rods is the derivative of their forces: a cubic in u, so five points are exact.
 #[test]
 fn the_assembled_tangent_is_a_derivative() {
-    let structure = Structure::new(&knee()).unwrap();
+    let structure = Structure::new(knee()).unwrap();
     let (u, heat) = (somewhere(&structure, 0.1), [[0.02, -0.01], [-0.03, 0.0]]);
     let force = |u: &DVector<f64>| {
         let mut sum = DVector::zeros(structure.size());
@@ -220,7 +220,7 @@ fn a_small_load_is_not_rounded_away() {
 /// What a matrix takes grows with the number of elements and of rods, not faster: a chain, a star and scissors.
 #[test]
 fn memory_is_linear() {
-    let bytes = |scene: &Scene| Structure::new(&*scene).unwrap().matrix_bytes() as f64;
+    let bytes = |scene: &Scene| Structure::new(scene).unwrap().matrix_bytes() as f64;
     let mut scene = knee();
     let mut third = scene.rods[1].clone();
     (third.name, third.from, third.to) = ("third".into(), "a".into(), "c".into());
@@ -249,7 +249,7 @@ fn numbers_that_overflow_end_in_an_error() {
         let mut scene = Scene::builtin("pendulum-flexible").unwrap();
         (scene.material.rho, scene.time.method) = (1e308, method);
         let error = run(&scene).unwrap_err();
-        assert_eq!(error.is_bad_input(), false, "{error}");
+        assert!(!error.is_bad_input(), "{error}");
     }
 }
 

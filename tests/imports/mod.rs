@@ -139,11 +139,11 @@ fn statements(text: &str) -> Vec<(bool, String)> {
         let line = before.rsplit('\n').next().unwrap_or_default().trim();
         rest = &after[4..];
         let is_public = line.starts_with("pub");
-        if line.is_empty() || (is_public && !line.contains(' ')) {
-            if let Some(end) = rest.find(';') {
-                found.push((is_public, rest[..end].split_whitespace().collect::<Vec<_>>().join(" ")));
-                rest = &rest[end..];
-            }
+        if (line.is_empty() || (is_public && !line.contains(' ')))
+            && let Some(end) = rest.find(';')
+        {
+            found.push((is_public, rest[..end].split_whitespace().collect::<Vec<_>>().join(" ")));
+            rest = &rest[end..];
         }
     }
     found

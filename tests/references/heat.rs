@@ -84,7 +84,7 @@ fn a_heated_rod_between_walls_bears_the_force() {
             let mut largest: f64 = 0.0;
             for angle in [0.0, 0.7, 2.0] {
                 let placing = Placing { mirrored: false, angle, by: [0.0, 0.0] };
-                let forces = run(&placing.scene(&scene)).unwrap();
+                let forces = run(placing.scene(&scene)).unwrap();
                 for (point, sign) in [("o", -1.0), ("a", 1.0)] {
                     let [x, y] = *reactions(&forces, point).last().unwrap();
                     let [x_0, y_0] = placing.vector([sign * N, 0.0]);
