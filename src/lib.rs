@@ -148,3 +148,8 @@ pub mod run;
 mod schema;
 pub mod state;
 mod structure;
+
+/// The README's program, as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
