@@ -83,7 +83,8 @@ fn frequencies_fall_to_those_of_the_theory_with_order_four() {
             let mut scene = rod(kind, &reference, elements);
             scene.material.rho = reference.parameter("rho");
             scene.time.method = Method::EnergyMomentum;
-            scene.supports = supports.clone();
+            // The scene's probe of a reaction needs its support.
+            (scene.supports, scene.probes) = (supports.clone(), Vec::new());
             let found = frequencies(&scene, rigid);
             let error = |n: usize| found[n] / reference.value(&format!("omega_{}", n + 1)) - 1.0;
             [0, 1, 2, 3, 4].map(error)
