@@ -23,6 +23,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 /// }
 /// ```
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// A value of the scene is not allowed.
     #[error("{file}: `{key}` is {value}; allowed: {allowed}")]

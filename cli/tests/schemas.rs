@@ -97,7 +97,7 @@ fn scenes_of_a_wrong_shape_are_not_valid() {
 fn a_summary_is_valid() {
     let folder = tempfile::tempdir().unwrap();
     let scene = r#"{"schema": "ancf-scene/1", "material": {"E": 2e8, "nu": 0, "rho": 2766.67}, "section": {"height": 0.02, "width": 0.02},
-        "points": {"a": [0, 0], "b": [1, 0]}, "rods": [{"name": "rod", "from": "a", "to": "b", "elements": 1}],
+        "points": {"a": [0, 0], "b": [1, 0]}, "rods": [{"name": "rod", "from": "a", "to": "b", "elements": 4}],
         "supports": [{"point": "a", "fix": ["x", "y"]}], "gravity": [0, -9.81], "time": {"end": 0.01},
         "probes": [{"name": "tip", "point": "b", "of": ["position"]}]}"#;
     fs::write(folder.path().join("scene.json"), scene).unwrap();

@@ -48,6 +48,7 @@ words! {
 words! {
     /// Where Poisson's terms act.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum Poisson {
         /// In the whole section: the paper's element, which locks for ν ≠ 0.
         #[default]
@@ -60,6 +61,7 @@ words! {
 words! {
     /// Strains caused by heat.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum ThermalModel {
         /// Along and across the rod: ε_T = αΔT I, equation (8). Euler–Bernoulli elements have no section to heat
         /// across.
@@ -87,6 +89,7 @@ words! {
 words! {
     /// Time-stepping method, or statics.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum Method {
         /// Chung and Hulbert's generalized-α with the spectral radius ρ∞.
         #[default]
@@ -134,6 +137,7 @@ impl Method {
 words! {
     /// How pins and supports are enforced.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum Constraints {
         /// Pinned points share coordinates and held coordinates are removed; there are no multipliers.
         #[default]
@@ -145,6 +149,7 @@ words! {
 
 words! {
     /// Quantity that a probe records.
+    #[non_exhaustive]
     pub enum Quantity {
         /// Position, m.
         Position = "position",

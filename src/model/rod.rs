@@ -17,6 +17,7 @@ use super::json::shape;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Material {
     /// Young's modulus, Pa; positive.
     #[serde(rename = "E")]
@@ -55,6 +56,7 @@ impl Material {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Section {
     /// Height h in the plane of motion, m; positive.
     pub height: f64,
@@ -83,6 +85,7 @@ impl Section {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Rod {
     /// Name of the rod.
     pub name: String,

@@ -16,6 +16,7 @@ use super::json::shape;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct Time {
     /// End time, s; a whole number of steps. In statics the load factor 1, which a file may leave out.
     #[serde(default = "default_end")]

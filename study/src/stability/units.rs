@@ -78,8 +78,9 @@ fn pendulum(name: &'static str, method: Method, element: Element) -> Result<Scen
     Ok(builtin(name)?.meshed(element, 4).solved(method, 1e-3, 0.2))
 }
 
-fn pinned(scene: Scene) -> Scene {
-    Scene { constraints: Constraints::Multipliers, ..scene }
+fn pinned(mut scene: Scene) -> Scene {
+    scene.constraints = Constraints::Multipliers;
+    scene
 }
 
 fn trials() -> Vec<Trial> {
