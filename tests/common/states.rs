@@ -156,7 +156,7 @@ impl State {
         match self.model {
             ThermalModel::TwoD => strain::eps_T(1.0, self.heat[time]),
             ThermalModel::OneD => strain::eps_T_1d(1.0, self.heat[time], self.theta),
-            ThermalModel::None => Vector3::zeros(),
+            _ => Vector3::zeros(),
         }
     }
 
@@ -165,7 +165,7 @@ impl State {
         match self.model {
             ThermalModel::TwoD => [self.heat[time], self.heat[time]],
             ThermalModel::OneD => [self.heat[time], 0.0],
-            ThermalModel::None => [0.0, 0.0],
+            _ => [0.0, 0.0],
         }
     }
 
