@@ -27,11 +27,10 @@ fn what_is_left_out_is_absent_or_at_its_default() {
     let scene = Model::parse(SMALLEST, "test").unwrap().into_scene();
     assert_eq!(scene.title, "");
     assert_eq!(scene.material.alpha, 0.0);
-    let (name, from, to) = ("r".into(), "p".into(), "q".into());
-    let (pivot, material, section, temperature) = (None, None, None, None);
-    let (element, poisson) = (Element::Ancf, Poisson::Full);
-    let rod = Rod { name, from, to, elements: 8, element, poisson, pivot, material, section, temperature };
-    assert_eq!(scene.rods, [rod]);
+    let [rod] = &scene.rods[..] else { panic!("{:?}", scene.rods) };
+    assert_eq!([&rod.name, &rod.from, &rod.to], ["r", "p", "q"]);
+    assert_eq!((rod.elements, rod.element, rod.poisson), (8, Element::Ancf, Poisson::Full));
+    assert_eq!((&rod.pivot, &rod.material, &rod.section, &rod.temperature), (&None, &None, &None, &None));
     assert_eq!((scene.supports.len(), scene.probes.len(), scene.gravity), (0, 0, [0.0, 0.0]));
     assert_eq!((scene.forces.len(), scene.notes.len(), scene.constraints), (0, 0, Constraints::Condensed));
     assert_eq!(scene.time.load_steps, 10);
