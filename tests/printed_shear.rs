@@ -36,7 +36,7 @@ fn the_element_meets_the_oracle() {
         let eps_T = match s.model {
             ThermalModel::TwoD => [heat, heat],
             ThermalModel::OneD => [heat, 0.0],
-            ThermalModel::None => [0.0, 0.0],
+            _ => [0.0, 0.0],
         };
         let u = Vector14::from(s.e) - Vector14::from(s.e0);
         for (quantity, actual) in [

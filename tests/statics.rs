@@ -413,13 +413,11 @@ fn structures_that_drift_are_refused_by_name() {
 fn frame(points: &[(&str, [f64; 2])], rods: &[[&str; 2]], supports: Vec<Support>, load: (&str, [f64; 2])) -> Scene {
     let mut scene = scissor(UPRIGHT, 7e10, &[load]);
     scene.points = points.iter().map(|(name, point)| (name.to_string(), *point)).collect();
-    let rod = |[from, to]: &[&str; 2]| Rod {
-        name: format!("{from}{to}"),
-        from: from.to_string(),
-        to: to.to_string(),
-        pivot: None,
-        elements: 2,
-        ..scene.rods[0].clone()
+    let (element, poisson) = (scene.rods[0].element, scene.rods[0].poisson);
+    let rod = |[from, to]: &[&str; 2]| {
+        let mut rod = Rod::new(&format!("{from}{to}"), from, to).elements(element, 2);
+        rod.poisson = poisson;
+        rod
     };
     (scene.rods, scene.supports) = (rods.iter().map(rod).collect(), supports);
     let of = |point: &str| {
