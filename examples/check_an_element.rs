@@ -3,7 +3,10 @@
 //!
 //! `cargo run --release --example check_an_element`; the test below: `cargo test --example check_an_element`
 
-use ancf::state::{ElementState, ThermalModel};
+use std::process::ExitCode;
+
+use ancf::model::ThermalModel;
+use ancf::state::ElementState;
 use serde_json::Value;
 
 /// Gauss points and weights on [−1, 1], exact to degree 9 and 5.
@@ -59,7 +62,7 @@ fn strain_energy(state: &ElementState) -> f64 {
     energy
 }
 
-/// Name of each state, the element's value, the reference and how far they may be apart.
+/// Name of each state, the element's value, the reference and the allowed difference.
 fn compare(quantity: &str, own: impl Fn(&ElementState) -> f64) -> Vec<(String, f64, f64, f64)> {
     let fixture: Value = serde_json::from_str(ancf_fixtures::EQUATIONS).expect("the fixture is JSON");
     let states = fixture["states"].as_array().expect("it has states");
@@ -72,11 +75,15 @@ fn compare(quantity: &str, own: impl Fn(&ElementState) -> f64) -> Vec<(String, f
     compared.collect()
 }
 
-fn main() {
+fn main() -> ExitCode {
+    let mut all_right = true;
     for (id, own, expected, allowed) in compare("18.U", strain_energy) {
-        let verdict = if (own - expected).abs() <= allowed { "right" } else { "WRONG" };
+        let is_right = (own - expected).abs() <= allowed;
+        all_right &= is_right;
+        let verdict = if is_right { "right" } else { "WRONG" };
         println!("{verdict}  {id:30} {own:+.12e} J, reference {expected:+.12e} J, allowed {allowed:.0e} J");
     }
+    if all_right { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 #[cfg(test)]

@@ -30,8 +30,8 @@ fn main() -> Result<()> {
     for step in [4e-5, 2e-5, 1e-5] {
         let mut scene = Scene::builtin("pendulum-flexible").expect("it is built in").until(0.5);
         (scene.time.step, scene.output.interval) = (step, Some(0.1));
-        let mut pendulum = Simulation::with_integrator(scene.build()?, |structure, _| {
-            let motion = EquationOfMotion::new(structure, &mut Counts::default())?;
+        let mut pendulum = Simulation::with_integrator(scene.build()?, |structure, _, counts| {
+            let motion = EquationOfMotion::new(structure, counts)?;
             Ok(Box::new(SymplecticEuler { step, motion }))
         })?;
         pendulum.run_until(0.5)?;

@@ -236,12 +236,20 @@ pub enum Error {
         step: usize,
     },
     /// The requested time is not the end of a step.
-    #[error("no step ends at t = {} s; allowed: {allowed}", time_text(*time))]
+    #[error("no step ends at {}; allowed: {allowed}", instant(*time, *statics))]
     NotATime {
         /// Requested time, s.
         time: f64,
         /// Times that can be reached, in words.
         allowed: String,
+        /// Whether the time is the load factor of statics.
+        statics: bool,
+    },
+    /// The simulation has failed before.
+    #[error("the simulation has failed at t = {} s, so that its state is meaningless; allowed: a new one", time_text(*time))]
+    HasFailed {
+        /// Time where it failed, s.
+        time: f64,
     },
     /// The model has no item of this name.
     #[error("there is no {what} `{name}`{nearest}")]

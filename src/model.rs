@@ -41,10 +41,10 @@ pub use time::{Output, Time};
 
 /// Items for the project's own crates only.
 pub(crate) mod inside {
-    pub use super::builtin::{builtin_names, builtin_text};
-    pub use super::json::words::Words;
-    pub use super::nearest::nearest;
-    pub use super::plan::{Part, Plan};
-    pub use super::probes::ENERGY_COLUMNS;
-    pub use super::scissors::Scissors;
+    pub use crate::model::builtin::{builtin_names, builtin_text};
+    pub use crate::model::json::words::Words;
+    pub use crate::model::nearest::nearest;
+    pub use crate::model::plan::{Part, Plan};
+    pub use crate::model::probes::ENERGY_COLUMNS;
+    pub use crate::model::scissors::Scissors;
 }

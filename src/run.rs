@@ -21,5 +21,5 @@ pub use trajectory::Trajectory;
 
 /// Items for the project's own crates only.
 pub(crate) mod inside {
-    pub use super::simulation::{run_planned, run_watched};
+    pub use crate::run::simulation::{run_planned, run_watched};
 }

@@ -1,6 +1,6 @@
 //! JSON Schemas of the project's files, from the types that read and write them.
 
-use schemars::generate::SchemaSettings;
+use schemars::generate::{Contract, SchemaSettings};
 use schemars::transform::RecursiveTransform;
 use schemars::{JsonSchema, Schema};
 use serde_json::Value;
@@ -15,7 +15,10 @@ pub fn scene() -> (&'static str, Schema) {
 
 /// JSON Schema of a type, as it is read ([`SchemaSettings::for_deserialize`]) or written ([`SchemaSettings::for_serialize`]).
 pub fn schema<T: JsonSchema>(contract: fn(SchemaSettings) -> SchemaSettings, id: &str, title: &str) -> Schema {
-    let settings = contract(SchemaSettings::draft2020_12()).with_transform(RecursiveTransform(tidy));
+    let mut settings = contract(SchemaSettings::draft2020_12()).with_transform(RecursiveTransform(tidy));
+    if settings.contract == Contract::Deserialize {
+        settings = settings.with_transform(RecursiveTransform(without_null));
+    }
     let mut schema = settings.into_generator().into_root_schema_for::<T>();
     schema.insert("$id".into(), id.into());
     schema.insert("title".into(), title.into());
@@ -44,6 +47,29 @@ fn tidy(schema: &mut Schema) {
     {
         if let Value::Object(property) = property {
             property.entry("description").or_insert_with(|| description.clone().into());
+        }
+    }
+}
+
+/// Takes `null` away: what may be left out of a file is left out, and not `null`.
+fn without_null(schema: &mut Schema) {
+    if schema.get("default").is_some_and(Value::is_null) {
+        schema.remove("default");
+    }
+    if let Some(Value::Array(types)) = schema.get_mut("type") {
+        types.retain(|kind| kind != "null");
+        if let [kind] = &types[..] {
+            let kind = kind.clone();
+            schema.insert("type".into(), kind);
+        }
+    }
+    let Some(Value::Array(choices)) = schema.get_mut("anyOf") else { return };
+    choices.retain(|choice| choice["type"] != "null");
+    if let [Value::Object(only)] = &choices[..] {
+        let only = only.clone();
+        schema.remove("anyOf");
+        for (key, value) in only {
+            schema.ensure_object().entry(key).or_insert(value);
         }
     }
 }

@@ -21,5 +21,5 @@ pub use element::evaluate;
 
 /// The terms of (23), which only the conformance kit evaluates by name.
 pub(crate) mod inside {
-    pub use super::system::{SystemState, evaluate_system};
+    pub use crate::state::system::{SystemState, evaluate_system};
 }

@@ -1,5 +1,6 @@
 //! Command line: parsing and printing only.
 
+use std::cell::Cell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -204,11 +205,16 @@ fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Pat
     let files = Files::in_folder(folder)?;
     let clock = Instant::now();
     let bar = progress(scene.steps());
-    let on_step = |step| bar.set_position(step as u64);
+    // The time of the run itself, without those that its estimate needs.
+    let wall_seconds = Cell::new(0.0);
+    let on_step = |step| {
+        bar.set_position(step as u64);
+        wall_seconds.set(clock.elapsed().as_secs_f64());
+    };
     let run = if estimate { run_estimated(model.clone(), on_step) } else { run_with_progress(model.clone(), on_step) };
     bar.finish_and_clear();
     let run = run?;
-    let wall_seconds = clock.elapsed().as_secs_f64();
+    let wall_seconds = wall_seconds.get();
     let paths = report::write_run(files, scene, &run, wall_seconds)?;
     let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
     Ok(print(&(report::run_text(scene, &run, wall_seconds) + &written))?)

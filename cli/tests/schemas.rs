@@ -77,6 +77,10 @@ fn scenes_of_a_wrong_shape_are_not_valid() {
         ("/temperature/model", json!({"2d": null})),
         ("/probes/0/of", json!(["place"])),
         ("/supports/0/fix", json!(["z"])),
+        ("/output/interval", json!(null)),
+        ("/temperature", json!(null)),
+        ("/rods/0", json!({"name": "rod", "from": "a", "to": "o", "pivot": null})),
+        ("/probes/0", json!({"name": "tip", "point": "a", "of": ["position"], "at": null})),
     ] {
         let mut scene = good.clone();
         *scene.pointer_mut(pointer).unwrap_or_else(|| panic!("no {pointer}")) = value;

@@ -40,7 +40,7 @@ pub(crate) mod volume;
 
 /// The paper's numbers and their functions, and the quadrature.
 pub(crate) mod inside {
-    pub use super::contents::{CONTENTS, Entry, Form};
+    pub use crate::equations::contents::{CONTENTS, Entry, Form};
     /// Gauss quadrature over an element.
     pub mod volume {
         pub use crate::equations::volume::*;

@@ -8,7 +8,7 @@
 use super::counts::Counts;
 use super::integrator::{Integrator, same_time};
 use super::state::State;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, time_text};
 use crate::structure::Structure;
 
 /// Shortest step relative to the longest; those cut short by a corner or a row may be shorter.
@@ -89,6 +89,11 @@ impl<M: Embedded> Integrator for Adaptive<M> {
     }
 
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()> {
+        // Also where it is not a number.
+        if !(t_1 > state.t && t_1.is_finite()) {
+            let allowed = format!("times after {} s", time_text(state.t));
+            return Err(Error::NotATime { time: t_1, allowed, statics: false });
+        }
         self.before.copy_from(state);
         let t_1 = self.next_end(state.t, t_1);
         loop {

@@ -35,8 +35,8 @@ use crate::structure::Structure;
 ///
 /// let mut scene = Scene::builtin("pendulum-flexible").unwrap().until(0.02);
 /// (scene.time.step, scene.output.interval) = (2e-5, None);
-/// let mut pendulum = Simulation::with_integrator(scene.build()?, |structure, _| {
-///     Ok(Box::new(SymplecticEuler(2e-5, EquationOfMotion::new(structure, &mut Counts::default())?)))
+/// let mut pendulum = Simulation::with_integrator(scene.build()?, |structure, _, counts| {
+///     Ok(Box::new(SymplecticEuler(2e-5, EquationOfMotion::new(structure, counts)?)))
 /// })?;
 /// pendulum.run_until(0.02)?;
 /// assert_eq!(pendulum.counts().steps, 1000);
@@ -83,9 +83,9 @@ pub fn same_time(t: f64) -> f64 {
 /// [`Error::NotATime`] with the end of the step.
 pub fn check_end(t: f64, dt: f64, t_1: f64) -> Result<()> {
     let end = t + dt;
-    if (t_1 - end).abs() <= same_time(t_1.abs().max(end.abs())) {
+    if (t_1 - end).abs() <= same_time(end.abs()) {
         return Ok(());
     }
     let allowed = format!("{} s, the end of the next step of {} s", time_text(end), time_text(dt));
-    Err(Error::NotATime { time: t_1, allowed })
+    Err(Error::NotATime { time: t_1, allowed, statics: false })
 }

@@ -25,13 +25,13 @@ pub use state::State;
 
 /// Items for the project's own crates only.
 pub(crate) mod inside {
-    pub use super::adaptive::{Adaptive, Embedded};
-    pub use super::energy_momentum::EnergyMomentum;
-    pub use super::explicit::Explicit;
-    pub use super::gauss::Gauss;
-    pub use super::generalized_alpha::GeneralizedAlpha;
-    pub use super::method::integrator;
-    pub use super::newton::{Equations, Failure, Newton, Residual};
-    pub use super::nystrom::Nystrom;
-    pub use super::statics::Statics;
+    pub use crate::integrators::adaptive::{Adaptive, Embedded};
+    pub use crate::integrators::energy_momentum::EnergyMomentum;
+    pub use crate::integrators::explicit::Explicit;
+    pub use crate::integrators::gauss::Gauss;
+    pub use crate::integrators::generalized_alpha::GeneralizedAlpha;
+    pub use crate::integrators::method::integrator;
+    pub use crate::integrators::newton::{Equations, Failure, Newton, Residual};
+    pub use crate::integrators::nystrom::Nystrom;
+    pub use crate::integrators::statics::Statics;
 }

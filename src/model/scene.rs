@@ -12,7 +12,7 @@ use super::motion::Motion;
 use super::probes::{ENERGY_COLUMNS, Probe};
 use super::rod::{Material, Rod, Section};
 use super::supports::Support;
-use super::time::{Output, Time};
+use super::time::{MOST_STEPS, Output, Time};
 
 /// The whole content of a scene file, as plain data.
 ///
@@ -191,11 +191,14 @@ impl Scene {
         self
     }
 
-    /// Number of steps: time steps up to `time.end`, or load steps of statics; output rows of adaptive methods.
+    /// Number of steps: time steps up to `time.end`, or load steps of statics; output rows of adaptive methods. 0 where the step is
+    /// not valid.
     pub fn steps(&self) -> usize {
         match self.time.method {
             Method::Static => self.time.load_steps,
-            _ => (self.time.end / self.stride()).round() as usize,
+            // More steps are not allowed, nor is what is no number: a scene may be asked before it is checked.
+            _ => Some((self.time.end / self.stride()).round()).filter(|steps| *steps <= MOST_STEPS).unwrap_or(0.0)
+                as usize,
         }
     }
 

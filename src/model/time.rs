@@ -5,6 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::choice::Method;
 use super::json::shape;
 
+/// Most time steps of a run: more is a mistyped step, and would take days even with one element.
+pub const MOST_STEPS: f64 = 1e9;
+
 /// Duration, step and method of a simulation.
 ///
 /// ```

@@ -88,6 +88,8 @@ impl Recorder {
         let multipliers = multipliers.unwrap_or(&self.multipliers);
         let now = Instant { u: &state.u, a: &self.a, t: state.t, multipliers };
         let Some(row) = self.rows.get_mut(self.written) else { return Ok(()) };
+        // A failed attempt may have left its numbers.
+        row.clear();
         row.push(state.t);
         for reading in &self.readings {
             match *reading {

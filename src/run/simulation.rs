@@ -8,10 +8,13 @@ use super::recorder::Recorder;
 use super::result::Run;
 use super::warnings::warnings;
 use crate::error::{Error, Result, time_text};
-use crate::integrators::{Counts, EquationOfMotion, Integrator, State, integrator, same_time};
+use crate::integrators::{Counts, EquationOfMotion, Integrator, State, integrator};
 use crate::model::plan::Plan;
 use crate::model::{Method, Model, Scene};
 use crate::structure::{Instant, Structure};
+
+/// Times that differ by less than this part of a step are the same: a step that was written with ten digits, a sum of steps.
+const SAME_TIME: f64 = 1e-6;
 
 /// Simulation of a model: advanced step by step, and read in between.
 ///
@@ -41,6 +44,8 @@ pub struct Simulation {
     before: State,
     /// Number of steps done, of [`Scene::steps`].
     done: usize,
+    /// Whether a step has failed, so that the state is meaningless.
+    has_failed: bool,
     counts: Counts,
     recorder: Recorder,
     monitor: Monitor,
@@ -99,17 +104,23 @@ impl Simulation {
         })
     }
 
-    /// Starts a simulation with an [`Integrator`] of your own. `make` gets the structure and its state at t = 0. Steps
+    /// Starts a simulation with an [`Integrator`] of your own. `make` gets the structure, its state at t = 0 and the counters. Steps
     /// are those of `time.step`; the scene's `method` only says whether it is statics. [`Integrator`] has an example.
     ///
     /// # Errors
-    /// Those of [`new`](Simulation::new), and those of `make`.
+    /// Those of [`new`](Simulation::new), and those of `make`; [`Error::Scene`] for a scene with an adaptive method.
     pub fn with_integrator(
         model: Model,
-        make: impl FnOnce(&Structure, &State) -> Result<Box<dyn Integrator>>,
+        make: impl FnOnce(&Structure, &State, &mut Counts) -> Result<Box<dyn Integrator>>,
     ) -> Result<Simulation> {
+        let method = model.scene().time.method;
+        if method.is_adaptive() {
+            let allowed = "a method of fixed steps beside an integrator of your own".into();
+            let (file, key, value) = ("scene".into(), "time.method".into(), format!("\"{method}\""));
+            return Err(Error::Scene { file, key, value, allowed });
+        }
         let plan = Plan::of(model.scene());
-        Simulation::start(model, &plan, |_, structure, state, _| make(structure, state))
+        Simulation::start(model, &plan, |_, structure, state, counts| make(structure, state, counts))
     }
 
     fn start(
@@ -126,7 +137,19 @@ impl Simulation {
         recorder.record(&structure, &state, method.multipliers(), &mut counts)?;
         let monitor = Monitor::new(scene, &structure);
         let before = state.clone();
-        Ok(Simulation { model, structure, method, state, before, done: 0, counts, recorder, monitor, motion: None })
+        Ok(Simulation {
+            model,
+            structure,
+            method,
+            state,
+            before,
+            done: 0,
+            has_failed: false,
+            counts,
+            recorder,
+            monitor,
+            motion: None,
+        })
     }
 
     /// Advances by one step, and records a row if due. Adaptive methods advance to their next output time. Returns
@@ -144,8 +167,12 @@ impl Simulation {
     ///
     /// # Errors
     /// Those of the method; [`Error::Collapsed`], [`Error::LostInRounding`], [`Error::EnergyAppeared`] or
-    /// [`Error::NotFinite`] for a state that cannot be trusted. Further steps are then meaningless.
+    /// [`Error::NotFinite`] for a state that cannot be trusted. Further steps are then refused with [`Error::HasFailed`].
     pub fn step(&mut self) -> Result<bool> {
+        self.unless_failed(Simulation::next_step)
+    }
+
+    fn next_step(&mut self) -> Result<bool> {
         let scene = self.model.scene();
         if self.done == scene.steps() {
             return Ok(false);
@@ -179,32 +206,40 @@ impl Simulation {
     /// state is unchanged. Others as for [`step`](Simulation::step).
     pub fn run_until(&mut self, t: f64) -> Result<()> {
         let scene = self.model.scene();
-        let (now, end) = (self.state.t, scene.time_after(scene.steps()));
-        let equals = |other: f64| (t - other).abs() <= same_time(t.abs().max(other.abs()));
-        if !(equals(now) || equals(end) || (now < t && t < end)) {
-            let allowed = format!("from {} s, the time now, to {} s, the end", time_text(now), time_text(end));
-            return Err(Error::NotATime { time: t, allowed });
+        let stride = scene.time_after(1);
+        let (now, end, near) = (self.state.t, scene.time_after(scene.steps()), SAME_TIME * stride);
+        // Rejects a NaN, too.
+        if !(now - near <= t && t <= end + near) {
+            return Err(self.not_a_time(t, [now, end], "to"));
         }
-        let nearest = (t / scene.time_after(1)).round() as usize;
-        let whole = if equals(scene.time_after(nearest)) {
-            nearest
-        } else if scene.time.method.is_adaptive() {
-            (t / scene.time_after(1)) as usize
-        } else {
-            let before = (t / scene.time_after(1)) as usize;
-            let [before, after] = [before, before + 1].map(|steps| time_text(scene.time_after(steps)));
-            return Err(Error::NotATime {
-                time: t,
-                allowed: format!("{before} or {after} s, the nearest ends of steps"),
-            });
-        };
-        while self.done < whole {
-            self.step()?;
+        let steps = t / stride;
+        let is_end_of_step = (steps - steps.round()).abs() <= SAME_TIME;
+        if !is_end_of_step && !scene.time.method.is_adaptive() {
+            return Err(self.not_a_time(t, [steps.floor() * stride, steps.ceil() * stride], "or"));
         }
-        if self.state.t < t && !equals(self.state.t) {
-            self.advance(t, false)?;
+        let whole = if is_end_of_step { steps.round() } else { steps.floor() } as usize;
+        while self.done < whole && self.step()? {}
+        if !is_end_of_step && self.state.t < t {
+            self.unless_failed(|own| own.advance(t, false))?;
         }
         Ok(())
+    }
+
+    fn not_a_time(&self, time: f64, [from, to]: [f64; 2], between: &str) -> Error {
+        let statics = self.model.scene().time.method == Method::Static;
+        let unit = if statics { "" } else { " s" };
+        let allowed = format!("{} {between} {}{unit}", time_text(from), time_text(to));
+        Error::NotATime { time, allowed, statics }
+    }
+
+    /// Does something that moves the state; never again once it has failed.
+    fn unless_failed<T>(&mut self, advance: impl FnOnce(&mut Simulation) -> Result<T>) -> Result<T> {
+        if self.has_failed {
+            return Err(Error::HasFailed { time: self.state.t });
+        }
+        let result = advance(self);
+        self.has_failed = result.is_err();
+        result
     }
 
     /// Advances to the end of the scene and returns its rows, counters and warnings.
@@ -224,11 +259,17 @@ impl Simulation {
     fn advance(&mut self, t: f64, is_row: bool) -> Result<()> {
         let Simulation { structure, method, state, before, counts, recorder, monitor, .. } = self;
         while state.t < t {
+            let from = state.t;
             let has_work = recorder.has_work();
             if has_work {
                 before.copy_from(state);
             }
             method.step(structure, state, t, counts).map_err(|error| monitor.explain(structure, state, error))?;
+            if !(from < state.t && state.t <= t) {
+                let allowed =
+                    format!("an integrator that moves from {} s on, up to {} s", time_text(from), time_text(t));
+                return Err(Error::NotATime { time: state.t, allowed, statics: false });
+            }
             if has_work {
                 match method.work(structure, before, state) {
                     Some(work) => recorder.add_work(work),
@@ -312,7 +353,9 @@ impl Simulation {
 
     /// Accelerations, and multipliers in their entries; zero in statics.
     fn accelerations(&mut self) -> Result<(DVector<f64>, DVector<f64>)> {
-        let Simulation { model, structure, method, state, counts, motion, .. } = self;
+        let Simulation { model, structure, method, state, motion, .. } = self;
+        // A reading is no work of the run.
+        let counts = &mut Counts::default();
         let mut a = DVector::zeros(structure.size());
         let mut multipliers = a.clone();
         if model.scene().time.method != Method::Static {
@@ -345,7 +388,11 @@ impl Simulation {
                 allowed,
             });
         }
-        Ok(self.structure.deflection(self.structure.rod(rod)?, at, &self.state.u))
+        let deflection = self.structure.deflection(self.structure.rod(rod)?, at, &self.state.u);
+        if !deflection.is_finite() {
+            return Err(Error::NotFinite { quantity: "the deflection", time: self.state.t, step: self.state.step });
+        }
+        Ok(deflection)
     }
 
     /// Present nodal coordinates of a rod, vector by vector from its first point: r, r_y, then r_j, r_xj, r_yj, r_k,
@@ -381,10 +428,12 @@ impl Simulation {
     /// ```
     pub fn energy(&self) -> Energies {
         let Simulation { structure, state, .. } = self;
+        // In statics the weight grows with the load factor.
+        let weight = if self.model.scene().time.method == Method::Static { state.t } else { 1.0 };
         Energies {
             kinetic: structure.kinetic_energy(&state.v, &mut DVector::zeros(structure.size())),
             strain: structure.strain_energy(&state.u, &structure.thermal_strains(state.t)),
-            potential: 0.0 - structure.gravity().dot(&state.u),
+            potential: 0.0 - weight * structure.gravity().dot(&state.u),
         }
     }
 

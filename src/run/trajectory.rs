@@ -28,7 +28,7 @@ impl Trajectory {
     /// Values of a column; `None` if there is none of this name.
     pub fn column(&self, name: &str) -> Option<Vec<f64>> {
         let place = self.columns.iter().position(|column| column == name)?;
-        Some(self.rows.iter().map(|row| row[place]).collect())
+        self.rows.iter().map(|row| row.get(place).copied()).collect()
     }
 
     /// Writes the table as CSV: column names, then a line per row. Numbers have enough digits to be read back as the

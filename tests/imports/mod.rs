@@ -5,6 +5,14 @@ use std::fmt;
 use std::fs;
 use std::path::Path;
 
+/// Files that re-export from everywhere.
+const SHOW_ALL: [&str; 3] = ["lib", "internals", "main"];
+
+/// Top-level module of a file.
+fn module(file: &str) -> &str {
+    file.split("::").next().unwrap_or(file)
+}
+
 /// The sources of a crate: module path (`model::json::parse`, `lib`) → text without comments and unit tests.
 pub struct Sources(BTreeMap<String, String>);
 
@@ -62,10 +70,14 @@ impl Sources {
     pub fn imports(&self) -> Vec<Import> {
         let mut imports = BTreeSet::new();
         for (file, text) in &self.0 {
-            let used = statements(text).into_iter().filter(|(public, _)| !public).flat_map(|(_, tree)| leaves(&tree));
-            for path in used.chain(paths(text)) {
+            let used = statements(text)
+                .into_iter()
+                .flat_map(|(public, tree)| leaves(&tree).into_iter().map(move |path| (public, path)));
+            for (public, path) in used.chain(paths(text).into_iter().map(|path| (false, path))) {
                 let to = self.resolve(file, &path);
-                if let Some(to) = to.filter(|to| to != file) {
+                // A module shows what its own files have, the crate's root what all have.
+                let shows = |to: &str| public && (module(to) == module(file) || SHOW_ALL.contains(&file.as_str()));
+                if let Some(to) = to.filter(|to| to != file && !shows(to)) {
                     imports.insert(Import { from: file.clone(), to, path });
                 }
             }
@@ -124,8 +136,9 @@ impl Sources {
     }
 }
 
-/// The text without comments and what follows `#[cfg(test)]`.
+/// The text without comments and unit tests: a `mod tests` in the file ends it, one in another file is a line.
 fn code(text: &str) -> String {
+    let text = text.replace("#[cfg(test)]\nmod tests;\n", "");
     let text = text.split("#[cfg(test)]").next().unwrap_or_default();
     text.lines().map(|line| line.split("//").next().unwrap_or_default().to_string() + "\n").collect()
 }

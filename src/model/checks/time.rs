@@ -3,10 +3,7 @@
 use crate::model::check::{Check, positive, require};
 use crate::model::choice::Method;
 use crate::model::scene::Scene;
-use crate::model::time::Time;
-
-/// Most time steps of a run: more is a mistyped step, and would take days even with one element.
-const MOST_STEPS: f64 = 1e9;
+use crate::model::time::{MOST_STEPS, Time};
 
 /// Most load steps: each is a row of the trajectory.
 const MOST_LOAD_STEPS: usize = 1_000_000;
