@@ -97,7 +97,7 @@ fn changed_scene_files_are_read_or_refused() {
     let (mut read, mut no_text, mut slowest) = (0, 0, Duration::ZERO);
     for n in 0..number {
         let text = mutator.change(texts[n % texts.len()].as_bytes());
-        // As `Scene::load` does: what is no text is refused before it is parsed.
+        // As `Model::load` does: what is no text is refused before it is parsed.
         let Ok(text) = String::from_utf8(text) else {
             no_text += 1;
             continue;

@@ -1,7 +1,7 @@
 """Size of the terms that are added up for each quantity of `fixtures/equations.json`, entry by entry.
 
 The sizes follow from bounds of the shape functions (3) and of their derivatives over the element. The tolerance is a
-fraction of the size (`fixtures/tolerance.py`).
+fraction of the size (`oracle/fixtures/tolerance.py`).
 """
 
 from collections.abc import Callable
