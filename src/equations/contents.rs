@@ -61,7 +61,7 @@ const fn also(
 /// the tests.
 ///
 /// ```
-/// use ancf::equations::{CONTENTS, Form};
+/// use ancf::internals::equations::{CONTENTS, Form};
 ///
 /// let entry = CONTENTS.iter().find(|entry| entry.equation == "20" && entry.form == Form::Consistent).unwrap();
 /// assert_eq!(entry.function, "force::K");

@@ -13,7 +13,8 @@ pub const MOST_STEPS: f64 = 1e9;
 /// ```
 /// use ancf::model::{Method, Time};
 ///
-/// let time = Time { method: Method::GaussAdaptive, tolerance: 1e-5, ..Time::until(3.0) };
+/// let mut time = Time::until(3.0);
+/// (time.method, time.tolerance) = (Method::GaussAdaptive, 1e-5);
 /// assert_eq!((time.end, time.step, time.newton_tolerance), (3.0, 1e-3, 1e-10));
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

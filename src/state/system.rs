@@ -32,7 +32,7 @@ pub struct SystemState {
 ///
 /// ```
 /// use ancf::nalgebra::{DMatrix, DVector};
-/// use ancf::state::{SystemState, evaluate_system};
+/// use ancf::internals::state::{SystemState, evaluate_system};
 ///
 /// // A mass of 2 kg in the plane, held in y, under its weight.
 /// let state = SystemState {

@@ -100,7 +100,7 @@ impl Halvings {
         let (mut steps, mut last, mut solutions) = (Vec::new(), None::<Samples>, Vec::new());
         loop {
             let clock = Instant::now();
-            let samples = match run(&setup.scene(Record::All)?.newton(NEWTON_TOLERANCE)) {
+            let samples = match run(setup.scene(Record::All)?.newton(NEWTON_TOLERANCE)) {
                 Ok(run) => Samples::of(benchmark, &run),
                 // The sequence starts with the first step that is short enough to succeed.
                 Err(ancf::error::Error::NewtonFailed { .. } | ancf::error::Error::NotFinite { .. })

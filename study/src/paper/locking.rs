@@ -71,6 +71,6 @@ fn tip_ratio(nu: f64, poisson: Poisson, slenderness: f64) -> Result<f64> {
 }
 
 fn distance_from_elastica(elements: usize) -> Result<f64> {
-    let own = run(&builtin("cantilever")?.meshed(Element::Ancf, elements))?;
+    let own = run(builtin("cantilever")?.meshed(Element::Ancf, elements))?;
     Ok(distance(last_tip(&own), Certified::load("elastica-10")?.tip()?))
 }

@@ -51,7 +51,7 @@ fn small() -> Vec<Trial> {
 }
 
 fn light(element: Element, slenderness: f64, elements: usize) -> Result<Finding> {
-    let own = run(&light_cantilever(element, elements, slenderness, 0.0, TIP)?.newton(1e-15))?;
+    let own = run(light_cantilever(element, elements, slenderness, 0.0, TIP)?.newton(1e-15))?;
     let floor = floor(element, elements, slenderness);
     let second = stiffened(element, elements) * (TIP * slenderness).powi(2);
     let error = (-last_tip(&own)[1] / TIP - 1.0).abs();

@@ -106,7 +106,7 @@ const CHANGE: f64 = 1e-6;
 
 fn measure((probe, made): Probed, units: Units) -> Result<Finding> {
     let scene = made()?.newton(TOLERANCE);
-    let (in_si, own) = (run(&scene)?, run(&converted(&scene, units))?);
+    let (in_si, own) = (run(&scene)?, run(converted(&scene, units))?);
     let expected = positions(&in_si, probe);
     let path: Path = positions(&own, probe).into_iter().map(|point| point.map(|x| x / units.length)).collect();
     let size = largest_distance(&expected, &vec![[0.0; 2]; expected.len()]);
