@@ -46,7 +46,8 @@ fn strain_energy(state: &ElementState) -> f64 {
     let [heat_x, heat_y] = match state.model {
         ThermalModel::TwoD => [expansion, expansion],
         ThermalModel::OneD => [expansion, 0.0],
-        _ => [0.0, 0.0],
+        ThermalModel::None => [0.0, 0.0],
+        other => panic!("{other}: not known to this element"),
     };
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
     let mut energy = 0.0;
@@ -70,7 +71,7 @@ fn compare(quantity: &str, own: impl Fn(&ElementState) -> f64) -> Vec<(String, f
         let state: ElementState = serde_json::from_value(case["state"].clone()).expect("a state");
         let reference = &case["values"][quantity];
         let [expected, allowed] = ["f64", "absolute"].map(|key| reference[key].as_f64().expect("a number"));
-        (case["id"].to_string(), own(&state), expected, allowed)
+        (case["id"].as_str().expect("a name").to_string(), own(&state), expected, allowed)
     });
     compared.collect()
 }

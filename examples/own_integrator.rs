@@ -29,7 +29,8 @@ impl Integrator for SymplecticEuler {
 fn main() -> Result<()> {
     for step in [4e-5, 2e-5, 1e-5] {
         let mut scene = Scene::builtin("pendulum-flexible").expect("it is built in").until(0.5);
-        (scene.time.step, scene.output.interval) = (step, Some(0.1));
+        scene.time.step = step;
+        scene.output.interval = Some(0.1);
         let mut pendulum = Simulation::with_integrator(scene.build()?, |structure, _, counts| {
             let motion = EquationOfMotion::new(structure, counts)?;
             Ok(Box::new(SymplecticEuler { step, motion }))

@@ -34,7 +34,10 @@ fn main() {
         .map(|&kelvin| {
             let cell = |height| match rise(height, kelvin) {
                 Ok(rise) => format!("{rise:>12.6}"),
-                Err(error) => format!("{:>12}", error.to_string().chars().take(11).collect::<String>()),
+                Err(error) => {
+                    eprintln!("height {height} m, {kelvin} K: {error}");
+                    format!("{:>12}", "failed")
+                }
             };
             format!("{kelvin:>5} {}", heights.map(cell).concat())
         })

@@ -23,7 +23,7 @@ fn main() -> ancf::error::Result<()> {
         println!("{:3.0} % of the heat: hinge at {y:.6} m, thrust {thrust:9.2e} N", 100.0 * rods.time());
     }
 
-    // The rods may stretch freely: the hinge is where the rods have their stress-free length √(1 + 2 α ΔT) of the cold one.
+    // The rods may stretch freely: the hinge is where their length is √(1 + 2αΔT) times the cold one, without stress.
     let stretched = (1.0 + height * height) * (1.0 + 2.0 * 2.3e-5 * 150.0);
     println!("in closed form: hinge at {:.6} m, no thrust", (stretched - 1.0_f64).sqrt());
     Ok(())

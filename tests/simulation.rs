@@ -2,6 +2,8 @@
 
 use ancf::error::{Error, Result};
 use ancf::integrators::{Counts, Integrator, State};
+use ancf::internals::integrators::integrator;
+use ancf::internals::model::Plan;
 use ancf::internals::structure::Structure;
 use ancf::model::{Material, Method, Probe, Quantity, Rod, Scene, Section, Support};
 use ancf::run::{Simulation, run};
@@ -71,31 +73,25 @@ fn adaptive_methods_stop_at_any_time() {
     simulation.step().unwrap();
     assert!((simulation.time() - 0.04).abs() < 1e-15);
     let run = simulation.finish().unwrap();
-    let whole = run_to_end(Method::GaussAdaptive);
+    let whole = run(pendulum(Method::GaussAdaptive, 0.02, 0.1)).unwrap().trajectory.rows;
     let end = |rows: &[Vec<f64>]| rows.last().unwrap()[0];
     assert_eq!((run.trajectory.rows.len(), end(&run.trajectory.rows)), (whole.len(), end(&whole)));
 }
 
-fn run_to_end(method: Method) -> Vec<Vec<f64>> {
-    run(pendulum(method, 0.02, 0.1)).unwrap().trajectory.rows
-}
-
-/// A step that was asked for twice as long would have moved by its own length and told of twice.
+/// A fixed-step method refuses any end but that of its next step; the state is then unchanged.
 #[test]
 fn fixed_steps_refuse_a_time_that_is_not_their_next() {
-    use ancf::internals::integrators::integrator;
-    use ancf::internals::model::Plan;
     for method in [Method::GeneralizedAlpha, Method::EnergyMomentum, Method::Explicit, Method::Gauss, Method::Nystrom] {
         let scene = pendulum(method, 1e-5, 0.1);
         let structure = Structure::new(&scene).unwrap();
         let (mut state, mut counts) = (State::at_start(&structure), Counts::default());
-        let mut integrator = integrator(&scene, &Plan::of(&scene), &structure, &state, &mut counts).unwrap();
+        let mut method_of_scene = integrator(&scene, &Plan::of(&scene), &structure, &state, &mut counts).unwrap();
         for t in [2e-5, 0.5e-5, 0.0, -1e-5, f64::INFINITY, f64::NAN] {
-            let result = integrator.step(&structure, &mut state, t, &mut counts);
+            let result = method_of_scene.step(&structure, &mut state, t, &mut counts);
             assert!(matches!(result, Err(Error::NotATime { .. })), "{method}, {t}: {result:?}");
             assert_eq!((state.t, state.step, &state.u), (0.0, 0, structure.start()));
         }
-        integrator.step(&structure, &mut state, 1e-5, &mut counts).unwrap();
+        method_of_scene.step(&structure, &mut state, 1e-5, &mut counts).unwrap();
         assert_eq!((state.t, state.step), (1e-5, 1));
     }
 }
@@ -144,7 +140,7 @@ fn what_is_read_is_the_state_of_now() {
     assert_eq!(simulation.rows().next().unwrap().len(), simulation.columns().len());
 }
 
-/// What it does with the state, and whether that is a fault.
+/// Integrator that does with the state what its function says.
 struct Strange(fn(&mut State, f64));
 
 impl Integrator for Strange {

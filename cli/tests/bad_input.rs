@@ -5,6 +5,9 @@
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
+use std::sync::LazyLock;
+
+use jsonschema::Validator;
 
 /// A scene that runs; every case makes one change to it.
 const GOOD: &str = r#"{
@@ -93,7 +96,27 @@ fn refused_text(text: &[u8], parts: &[&str]) {
     }
     assert!(!folder.path().join("out").exists(), "there is output beside: {message}");
     assert!(output.stdout.is_empty());
+    if let Ok(scene) = serde_json::from_slice(text)
+        && OF_SHAPE.iter().any(|words| message.contains(words))
+    {
+        assert!(!SCHEMA.is_valid(&scene), "the schema takes what is refused: {message}");
+    }
 }
+
+/// Words of refusals for a shape, which `schema/scene.schema.json` has to refuse, too; what a value means beside others no schema tells.
+const OF_SHAPE: [&str; 6] = [
+    "is an unknown key",
+    "is missing; allowed: a value here, the key is required",
+    "; allowed: a list of two numbers, [a, b]",
+    "; allowed: a list, […]",
+    "; allowed: an object, {…}",
+    "; allowed: `",
+];
+
+static SCHEMA: LazyLock<Validator> = LazyLock::new(|| {
+    let (_, schema) = ancf_cli::schemas().into_iter().find(|(name, _)| *name == "scene.schema.json").unwrap();
+    jsonschema::draft202012::new(schema.as_value()).unwrap()
+});
 
 /// [`GOOD`] with `from`, which it holds once, replaced by `to`.
 fn changed(from: &str, to: &str) -> String {
@@ -350,6 +373,13 @@ refused! {
 fn the_unchanged_structures_are_valid() {
     for text in [CROSS, STILL, ADAPTIVE] {
         ancf::model::Model::parse(text, "case.json").unwrap().into_scene();
+    }
+}
+
+#[test]
+fn the_schema_takes_the_unchanged_scenes() {
+    for text in [GOOD, CROSS, STILL, ADAPTIVE] {
+        SCHEMA.validate(&serde_json::from_str(text).unwrap()).unwrap();
     }
 }
 

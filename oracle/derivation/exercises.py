@@ -91,7 +91,7 @@ def write(page):
     """The chapter."""
     page.heading("9 Exercises")
     page.words("""The answer to each is a command; under it, folded away, what to see. `ancf` is what `cargo
-     install --path .` installs,
+     install --path cli` installs,
         `python -m oracle` needs the packages of `oracle/requirements.txt`; all run in the repository's folder.""")
     for k, (question, command, answer) in enumerate(EXERCISES, 1):
         page.words(f"**{k}.** {question}")

@@ -3,10 +3,10 @@
 import { execFileSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
-import { join } from 'node:path'
+import { join, resolve } from 'node:path'
 
 const TOLERANCE = 1e-12
-const [, , wasm, program] = process.argv
+const [wasm, program] = process.argv.slice(2).map(path => resolve(path))
 const { instance } = await WebAssembly.instantiate(readFileSync(wasm), {})
 const { run, text, memory } = instance.exports
 
