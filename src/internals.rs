@@ -27,7 +27,7 @@ pub mod model {
     pub use crate::model::inside::*;
 }
 
-/// Runs with an observer, or with a given plan.
+/// Functions that run a model with an observer or a given plan.
 pub mod run {
     pub use crate::run::inside::*;
 }

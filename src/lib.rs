@@ -1,4 +1,5 @@
-//! Planar thermo-elastic ANCF beams: the reference implementation of Peng, Wang, Li, Zhi and Li, *Dynamics Analysis of
+//! Planar thermo-elastic beams of the absolute nodal coordinate formulation (ANCF): the reference implementation of Peng,
+//! Wang, Li, Zhi and Li, *Dynamics Analysis of
 //! Deployable Structures considering a Two-Dimensional Coupled Thermo-Structural Effect*, 2018,
 //! [doi 10.1155/2018/1752815].
 //!
@@ -82,7 +83,7 @@
 //! | (8) | [`strain::eps_T`] | | (22) | [`motion::residual`], [`motion::acceleration`] |
 //! | (9) | [`strain::J`], [`strain::J_0`] | | (23) | [`motion::system_residual`], [`motion::system_acceleration`], [`motion::constraint_force`], [`motion::constraint_force_printed`] (E4) |
 //! | (10) | [`strain::eps_m`] | | (A.1) | [`shape::r_polynomial`] |
-//! | (11) | [`strain::S_abc_theta`], [`strain::S_abc`] | | (A.2) | [`shape::nodal_conditions`] |
+//! | (11) | [`strain::S_abc_theta`], [`strain::S_abc`], [`strain::J_0_theta`] | | (A.2) | [`shape::nodal_conditions`] |
 //! | (12) | [`strain::eps_f`] | | (A.3) | [`shape::coefficients`], [`shape::coefficients_printed`] (E1) |
 //! | (13) | [`strain::eps_1`], [`strain::eps_2`], [`strain::eps_3`] | | (A.4), (A.5) | [`shape::r_nodal`], [`shape::S`] |
 //! | (14) | [`strain::eps`] | | | |
@@ -104,6 +105,7 @@
 //! [`strain::eps_T`]: equations::strain::eps_T
 //! [`strain::J`]: equations::strain::J
 //! [`strain::J_0`]: equations::strain::J_0
+//! [`strain::J_0_theta`]: equations::strain::J_0_theta
 //! [`strain::eps_m`]: equations::strain::eps_m
 //! [`strain::S_abc_theta`]: equations::strain::S_abc_theta
 //! [`strain::S_abc`]: equations::strain::S_abc

@@ -100,7 +100,7 @@ impl Newton {
         Newton { always_new: true, ..Newton::new(tolerance) }
     }
 
-    /// Whether there are factors of an earlier iteration.
+    /// Whether a factorised matrix of an earlier iteration can be used again.
     pub fn has_matrix(&self) -> bool {
         self.has_matrix
     }

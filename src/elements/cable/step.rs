@@ -51,7 +51,7 @@ pub(super) struct BendStep<V: Vector> {
 }
 
 impl<V: Vector> BendStep<V> {
-    /// Bending moment averaged over both ends, N m.
+    /// Mean of the bending moments at the start and the end of the time step, N m.
     #[inline(always)]
     pub fn mean_moment(&self, EI: f64) -> V::Number {
         V::Number::of(0.5 * EI) * (self.start.kappa() + self.end.kappa())

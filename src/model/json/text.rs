@@ -9,7 +9,7 @@ const LONGEST_LINE: usize = 116;
 const INDENT: usize = 2;
 
 impl Scene {
-    /// Text of a scene file: lists and objects that fit on a line stay on one.
+    /// The scene as the text of a scene file; lists and objects that fit on a line stay on one.
     pub fn to_text(&self) -> String {
         // A scene holds nothing that JSON cannot represent: its keys are texts, and numbers that are not finite become
         // null.
