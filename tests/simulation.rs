@@ -6,7 +6,7 @@ use ancf::internals::integrators::integrator;
 use ancf::internals::model::Plan;
 use ancf::internals::structure::Structure;
 use ancf::model::{Material, Method, Probe, Quantity, Rod, Scene, Section, Support};
-use ancf::run::{Simulation, run};
+use ancf::run::Simulation;
 
 fn pendulum(method: Method, step: f64, end: f64) -> Scene {
     let mut scene = Scene::new(Material::new(2e8, 0.0, 7750.0), Section::new(0.02, 0.02))
@@ -73,7 +73,7 @@ fn adaptive_methods_stop_at_any_time() {
     simulation.step().unwrap();
     assert!((simulation.time() - 0.04).abs() < 1e-15);
     let run = simulation.finish().unwrap();
-    let whole = run(pendulum(Method::GaussAdaptive, 0.02, 0.1)).unwrap().trajectory.rows;
+    let whole = ancf::run::run(pendulum(Method::GaussAdaptive, 0.02, 0.1)).unwrap().trajectory.rows;
     let end = |rows: &[Vec<f64>]| rows.last().unwrap()[0];
     assert_eq!((run.trajectory.rows.len(), end(&run.trajectory.rows)), (whole.len(), end(&whole)));
 }
