@@ -98,6 +98,8 @@ fn refused_text(text: &[u8], parts: &[&str]) {
     assert!(output.stdout.is_empty());
     if let Ok(scene) = serde_json::from_slice(text)
         && OF_SHAPE.iter().any(|words| message.contains(words))
+        // Statics does without an end: the method decides.
+        && !message.contains("`time.end` is missing")
     {
         assert!(!SCHEMA.is_valid(&scene), "the schema takes what is refused: {message}");
     }
