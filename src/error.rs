@@ -125,8 +125,8 @@ pub enum Error {
     },
     /// The method has created energy.
     #[error(
-        "at t = {} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: the step is \
-         far too long for a sudden load; {cure}",
+        "at t = {} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: {cause}; \
+         {cure}",
         time_text(*time)
     )]
     EnergyAppeared {
@@ -138,6 +138,8 @@ pub enum Error {
         created: f64,
         /// Upper bound of the energy that forces, heat and weight have put in, J.
         supply: f64,
+        /// Probable cause.
+        cause: String,
         /// Advice for this method.
         cure: String,
     },
@@ -208,6 +210,24 @@ pub enum Error {
     Unstable {
         /// Number of independent unstable directions, in this run or a refined one.
         directions: usize,
+    },
+    /// A small deviation at the start decides the motion.
+    #[error(
+        "the motion is unstable, so that its error cannot be estimated: a deviation of {deviation:.0e} m at the start grows \
+         {amplification:.0e} times and moves {place} by {moved:.1e}, more than the {error:.1e} that its error may be; rounding \
+         decides where such a structure goes, as where a straight rod buckles; a small lateral force makes it definite"
+    )]
+    UnstableMotion {
+        /// Deviation at the start, m.
+        deviation: f64,
+        /// Growth of the deviation.
+        amplification: f64,
+        /// Quantity or column that moves too far.
+        place: String,
+        /// Change of the quantity, in its unit.
+        moved: f64,
+        /// Its estimated error, or a tenth of its motion, in its unit.
+        error: f64,
     },
     /// An adaptive method has reached its shortest step.
     #[error(

@@ -10,6 +10,7 @@ mod condensed;
 mod frontal;
 mod lanczos;
 mod layout;
+mod ldlt;
 mod number;
 
 pub use band::{BandLu, BandMatrix};

@@ -1,19 +1,25 @@
 //! Runs a model: step by step with a [`Simulation`], or from start to end with [`run()`].
 
 mod accuracy;
+mod column_errors;
 mod energy;
 mod estimate;
+mod growth;
 mod load_scale;
 mod monitor;
 mod observer;
+mod perturbed;
 mod recorder;
 mod result;
+mod ringing;
+mod rotation;
 mod simulation;
 mod trajectory;
 mod unresolved_loads;
 mod warnings;
+mod window_mean;
 
-pub use accuracy::{Accuracy, Estimate};
+pub use accuracy::{Accuracy, ColumnAccuracy, Convergence, Estimate};
 pub use estimate::run_estimated;
 pub use result::Run;
 pub use simulation::{Energies, Simulation, run, run_with_progress};

@@ -100,7 +100,7 @@ fn scene(name: &str, method: Method, element: Element, recorded: Recorded) -> Sc
         let mut add = |point: &str, rod: Option<&str>, of: &[Quantity]| {
             let name = format!("probe-{}", scene.probes.len());
             let (point, rod, of) = (Some(point.to_string()), rod.map(str::to_string), of.to_vec());
-            scene.probes.push(Probe { name, point, rod, at: None, of });
+            scene.probes.push(Probe { name, point, rod, at: None, of, mean: None });
         };
         match name {
             "cantilever" => add("o", Some("rod"), &[Quantity::Reaction]),

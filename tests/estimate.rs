@@ -1,9 +1,9 @@
 //! Estimated errors in time and space, and an error where no digit is sure.
 
 use ancf::error::Error;
-use ancf::model::{Force, Method, Motion, Quantity, Scene, Start, Temperature, ThermalModel};
-use ancf::run::run;
+use ancf::model::{Force, Method, Motion, Probe, Quantity, Scene, Start, Temperature, ThermalModel};
 use ancf::run::run_estimated;
+use ancf::run::{Convergence, Run, run};
 
 fn pendulum(method: Method, step: f64) -> Scene {
     let mut scene = Scene::builtin("pendulum-flexible").unwrap();
@@ -20,7 +20,8 @@ fn a_scene_without_probes_is_estimated_at_its_points() {
     let estimated = run_estimated(&scene, |_| ()).unwrap();
     assert_eq!(estimated.trajectory, run(&scene).unwrap().trajectory);
     let with_probe = run_estimated(pendulum(Method::Gauss, 1e-3), |_| ()).unwrap();
-    assert_eq!(estimated.accuracy, with_probe.accuracy);
+    let positions = |run: Run| (run.accuracy.time, run.accuracy.space, run.accuracy.at_rows);
+    assert_eq!(positions(estimated), positions(with_probe));
 }
 
 /// A probe of a held point, or of a bow, sees less than what moves: the estimate is that of all points.
@@ -34,7 +35,8 @@ fn what_probes_look_at_does_not_matter() {
     };
     let tip = accuracy(&|_| ());
     assert!(tip.time.as_ref().unwrap().value > 1e-5);
-    assert_eq!(accuracy(&|scene| scene.probes[0].point = Some("o".into())), tip);
+    let held = accuracy(&|scene| scene.probes[0].point = Some("o".into()));
+    assert_eq!((&held.time, &held.space), (&tip.time, &tip.space));
     let bow = |scene: &mut Scene| {
         let probe = &mut scene.probes[0];
         (probe.point, probe.rod, probe.at, probe.of) =
@@ -82,14 +84,39 @@ fn a_structure_at_rest_is_estimated() {
     assert!(total < 1e-13, "{total:e}");
 }
 
-/// Velocities, reactions and energies are not estimated, which is said where the estimates are.
+/// Every column has an error of its own; that of a vector is compared with its largest component.
 #[test]
-fn what_is_not_estimated_is_said() {
-    let run = run_estimated(pendulum(Method::EnergyMomentum, 1e-3), |_| ()).unwrap();
-    for estimate in [run.accuracy.time, run.accuracy.space] {
-        let method = estimate.unwrap().method;
-        assert!(method.contains("velocities, reactions and energies are not estimated"), "{method}");
+fn every_column_is_estimated() {
+    let mut scene = pendulum(Method::EnergyMomentum, 1e-3);
+    scene.probes = vec![Probe::point("tip", "a", &[Quantity::Velocity, Quantity::Acceleration])];
+    scene.probes.push(Probe::point("o", "o", &[Quantity::Reaction]));
+    let run = run_estimated(&scene, |_| ()).unwrap();
+    let names: Vec<&str> = run.accuracy.columns.iter().map(|column| column.column.as_str()).collect();
+    assert_eq!(names, &scene.columns()[1..]);
+    for column in &run.accuracy.columns[..6] {
+        let largest = run.trajectory.column(&column.column).unwrap().iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        assert!(column.total() > 0.0 && column.largest >= largest, "{column:?}");
     }
+    assert_eq!(run.accuracy.column("tip.vx").unwrap().largest, run.accuracy.column("tip.vy").unwrap().largest);
+}
+
+/// Under a sudden load every halving of the step shows other accelerations; their means converge.
+#[test]
+fn what_does_not_converge_is_said_and_its_mean_does() {
+    let mut scene = pendulum(Method::EnergyMomentum, 2e-3);
+    scene.material.youngs_modulus *= 100.0;
+    scene.rods[0].elements = 4;
+    (scene.time.end, scene.output.interval) = (0.3, Some(0.02));
+    let acceleration = Probe::point("tip", "a", &[Quantity::Acceleration]);
+    scene.probes = vec![acceleration.clone(), Probe { name: "mean".into(), ..acceleration }.mean(0.1)];
+    let accuracy = run_estimated(&scene, |_| ()).unwrap().accuracy;
+    let convergence = |name| accuracy.column(name).unwrap().convergence;
+    assert_eq!((convergence("tip.ay"), convergence("mean.ay")), (Convergence::None, Convergence::Sure), "{accuracy:?}");
+    let warnings = run(&scene).unwrap().warnings;
+    assert!(
+        warnings.iter().any(|warning| warning.contains("ring from row to row (`tip.ax`, `tip.ay`)")),
+        "{warnings:?}"
+    );
 }
 
 /// Time's part falls with the order of the method, by every method that has a step, and with the tolerance.

@@ -429,7 +429,7 @@ fn probes_of_a_point_a_pin_and_a_rod_have_their_columns() {
     let scene = Model::parse(CROSS, "test").unwrap().into_scene();
     assert_eq!(scene.columns()[1..10], ["1.x", "1.y", "1.rx", "1.ry", "2.rx", "2.ry", "3.rx", "3.ry", "4.w"]);
     let of = vec![Quantity::Deflection];
-    let bend = Probe { name: "4".into(), point: None, rod: Some("down".into()), at: Some(1.0), of };
+    let bend = Probe { name: "4".into(), point: None, rod: Some("down".into()), at: Some(1.0), of, mean: None };
     assert_eq!(scene.probes[3], bend);
 }
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use ancf::internals::model::{Part, Plan};
 use ancf::model::{Method, Scene};
-use ancf::run::Run;
+use ancf::run::{ColumnAccuracy, Convergence, Run};
 use ancf_study::files::Files;
 
 use crate::ends::{energy_imbalance, final_time, final_values, largest_of};
@@ -38,7 +38,10 @@ pub fn run_text(scene: &Scene, run: &Run, wall_seconds: f64) -> String {
         });
     }
     let width = run.trajectory.columns.iter().map(|name| name.chars().count()).max().unwrap_or(0);
-    lines.extend(final_values(run).map(|(name, value)| format!("  {name:width$} {value:14.6} {}", unit(name))));
+    lines.extend(final_values(run).map(|(name, value)| {
+        let known = run.accuracy.column(name).map_or(String::new(), |column| sure(column, value, unit(name)));
+        format!("  {name:width$} {:>14} {}{known}", rounded(value), unit(name))
+    }));
     if let Some(value) = energy_imbalance(&run.trajectory) {
         let kinetic = largest_of(&run.trajectory, "energy.kinetic").unwrap_or(f64::NAN);
         lines.push(format!(
@@ -71,6 +74,29 @@ pub fn plan_text(scene: &Scene) -> String {
     lines.push("`ancf error-time` measures what this saves".into());
     lines.retain(|line| !line.is_empty());
     lines.join("\n") + "\n"
+}
+
+/// Number with six significant digits, however small or large it is.
+fn rounded(value: f64) -> String {
+    let exponent = value.abs().log10().floor();
+    if value == 0.0 {
+        "0".into()
+    } else if (-4.0..6.0).contains(&exponent) {
+        format!("{value:.*}", (5.0 - exponent) as usize)
+    } else {
+        format!("{value:.5e}")
+    }
+}
+
+/// How far a final value of a column is sure, in words.
+fn sure(column: &ColumnAccuracy, value: f64, unit: &str) -> String {
+    match (column.convergence, column.sure_digits(value)) {
+        (Convergence::None, _) => {
+            format!(" does not converge: finer runs change it by {:.0e} {unit} and no less", column.total())
+        }
+        (Convergence::Sure, digits @ 1..) => format!(" ± {:.1e}, {digits} sure digits", column.total()),
+        _ => format!(" ± {:.1e}, no sure digit", column.total()),
+    }
 }
 
 /// Unit of a probe's column.

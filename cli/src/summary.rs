@@ -6,7 +6,7 @@ use std::io::{self, Write};
 use ancf::integrators::Counts;
 use ancf::internals::model::{Part, Plan};
 use ancf::model::{Method, Scene};
-use ancf::run::{Estimate, Run};
+use ancf::run::{ColumnAccuracy, Estimate, Run};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
@@ -29,6 +29,8 @@ pub fn write_summary(out: &mut dyn Write, scene: &Scene, run: &Run, wall_seconds
         end: End { t: final_time(run), probes: run },
         warnings: &run.warnings,
         accuracy: KnownErrors {
+            columns: &run.accuracy.columns,
+            amplification: run.accuracy.amplification,
             time: Known::of(run.accuracy.time.clone()),
             space: Known::of(run.accuracy.space.clone()),
             energy: Known::of(energy_imbalance(&run.trajectory).map(|value| {
@@ -64,7 +66,7 @@ pub struct Summary<'a> {
     /// What a person should know before trusting the result.
     warnings: &'a [String],
     /// What is known of the errors.
-    accuracy: KnownErrors,
+    accuracy: KnownErrors<'a>,
 }
 
 /// The last row of a trajectory.
@@ -84,13 +86,18 @@ fn probes<S: Serializer>(run: &Run, serializer: S) -> Result<S::Ok, S::Error> {
 
 /// Errors of a run, as far as they are known.
 #[derive(Serialize, JsonSchema)]
-struct KnownErrors {
+struct KnownErrors<'a> {
     /// Error due to the step.
     time: Known,
     /// Error due to the mesh.
     space: Known,
     /// Error of the energy balance.
     energy: Known,
+    /// Errors of all columns, by name and in their units; empty if no estimate was asked for.
+    columns: &'a [ColumnAccuracy],
+    /// Factor by which a deviation of 10⁻⁸ of the structure's size has grown; left out where no such run was made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    amplification: Option<f64>,
 }
 
 /// An error that is known or not.

@@ -10,6 +10,13 @@ use crate::linear::SingularAt;
 /// Most matrices per solution: more never helped, since Newton takes three to eight where it converges at all.
 const MOST_MATRICES: usize = 30;
 
+/// Most iterations. With one tangent for several stages convergence is linear at long steps, by a factor of two each
+/// time, and a new matrix changes nothing.
+const MOST_ITERATIONS: usize = 150;
+
+/// Ratio of successive residuals below which an iteration goes on without new matrices.
+const CONVERGENT: f64 = 0.8;
+
 /// Cost of a new matrix in iterations, measured: a reused matrix is kept as long as no more iterations are expected.
 const MATRIX_COST: f64 = 3.0;
 
@@ -131,6 +138,7 @@ impl Newton {
         let mut needs_matrix = self.always_new || !self.has_matrix || self.distrust > 0;
         let (mut iterations, mut matrices) = (0, 0);
         let mut last: Option<f64> = None;
+        let mut rate = 0.0;
         loop {
             let Residual { size, largest_term } = equations.residual(counts);
             let finite = size.is_finite() && largest_term.is_finite();
@@ -142,7 +150,7 @@ impl Newton {
                 return Ok(());
             }
             if let Some(last) = last.take() {
-                let rate = size / last;
+                rate = size / last;
                 if !own_matrix && (!finite || rate >= 1.0) {
                     // The reused matrix did harm.
                     equations.undo();
@@ -151,12 +159,15 @@ impl Newton {
                 }
                 needs_matrix = self.always_new || rate >= 1.0 || (goal / size).ln() / rate.ln() > MATRIX_COST;
             }
-            if !finite || matrices == MOST_MATRICES {
+            let converges = rate < CONVERGENT && iterations < MOST_ITERATIONS;
+            if !finite || (matrices == MOST_MATRICES && !converges) {
                 self.has_matrix = false;
                 let (residual, tolerance) = (size / largest_term, self.tolerance);
-                let at_rounding = finite && equations.at_rounding(ROUNDING_SUSPECTED * ROUNDING_FACTOR);
+                // A residual that still decreases is no rounding.
+                let at_rounding = finite && !converges && equations.at_rounding(ROUNDING_SUSPECTED * ROUNDING_FACTOR);
                 return Err(Failure::NotConverged { iterations, residual, tolerance, at_rounding });
             }
+            needs_matrix &= matrices < MOST_MATRICES;
             if needs_matrix {
                 matrices += 1;
                 counts.tangent_calls += 1;

@@ -82,6 +82,11 @@ impl<F: Number> BandMatrix<F> {
         self.columns(row).zip(self.entries[self.entries_of(row)].iter().copied())
     }
 
+    /// Sets every entry to zero.
+    pub fn clear(&mut self) {
+        self.entries.fill(F::zero());
+    }
+
     /// Multiplies row i by `rows[i]` and column j by `columns[j]`.
     pub fn scale_each(&mut self, rows: &[F], columns: &[F]) {
         for (row, factor) in rows.iter().enumerate() {

@@ -7,6 +7,7 @@
 use nalgebra::DVector;
 
 use super::frontal::Chain;
+use super::ldlt::Ldlt;
 use super::number::Number;
 use super::{BandLu, BandMatrix, SingularAt, flush_negligible};
 
@@ -15,6 +16,8 @@ use super::{BandLu, BandMatrix, SingularAt, flush_negligible};
 pub struct CondensedFactors<F: Number = f64> {
     chains: Vec<Box<dyn Chain<F>>>,
     corner: Option<BandLu<F>>,
+    /// Memory for counting negative eigenvalues.
+    inertia: Option<(BandMatrix<F>, Ldlt)>,
     /// First unknown of the border; below, its size and the half-width of its band.
     border: usize,
     border_size: usize,
@@ -29,7 +32,7 @@ impl<F: Number> CondensedFactors<F> {
         border_size: usize,
         border_band: usize,
     ) -> CondensedFactors<F> {
-        CondensedFactors { chains, corner: None, border, border_size, border_band }
+        CondensedFactors { chains, corner: None, inertia: None, border, border_size, border_band }
     }
 
     /// Factorises a matrix; `fill` writes an element's matrix, by columns, given the numbers of the chain and of the
@@ -66,5 +69,21 @@ impl<F: Number> CondensedFactors<F> {
     pub fn bytes(&self) -> usize {
         let corner = BandMatrix::<F>::bytes(self.border_size, self.border_band);
         self.chains.iter().map(|chain| chain.bytes()).sum::<usize>() + corner
+    }
+}
+
+impl CondensedFactors {
+    /// Number of negative eigenvalues of a symmetric matrix; `fill` as for [`factorize`](CondensedFactors::factorize).
+    /// `None` where elimination without row swaps meets a pivot that is zero or not a number. The factors are lost.
+    pub fn negative_eigenvalues(&mut self, mut fill: impl FnMut(usize, usize, &mut [f64])) -> Option<usize> {
+        let CondensedFactors { chains, inertia, .. } = self;
+        let (corner, ldlt) =
+            inertia.get_or_insert_with(|| (BandMatrix::zeros(self.border_size, self.border_band), Ldlt::default()));
+        corner.clear();
+        let mut negative = 0;
+        for (number, chain) in chains.iter_mut().enumerate() {
+            negative += chain.negative_pivots(&mut |element, matrix| fill(number, element, matrix), corner).ok()?;
+        }
+        Some(negative + ldlt.factorize(corner, self.border_size, self.border_band, &mut [])?)
     }
 }

@@ -38,6 +38,17 @@ pub trait Chain<F: Number>: Debug + Send + Sync {
     /// Forward elimination of a right-hand side in place, including the border's part.
     fn forward(&self, b: &mut [F]);
 
+    /// Eliminates a symmetric matrix without row swaps, adds the remainder of the border to the corner, and returns the
+    /// number of negative pivots: of negative eigenvalues (Sylvester's law of inertia). The factors are of no other use.
+    ///
+    /// # Errors
+    /// Those of [`factorize`](Chain::factorize).
+    fn negative_pivots(
+        &mut self,
+        fill: &mut dyn FnMut(usize, &mut [F]),
+        corner: &mut BandMatrix<F>,
+    ) -> Result<usize, SingularAt>;
+
     /// Back substitution, once the border's unknowns are known.
     fn backward(&self, b: &mut [F]);
 
@@ -93,10 +104,9 @@ impl<F: Number, const N: usize> FrontalChain<F, N> {
     fn sides(&self, unknowns: &ElementUnknowns<N>) -> impl Iterator<Item = (&Side<F, N>, usize)> {
         self.sides[unknowns.first_side..][..unknowns.reached].iter().zip(self.touches.iter().copied())
     }
-}
 
-impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
-    fn factorize(
+    /// Eliminates the chain's own coordinates front by front, and adds the remainder of the border to the corner.
+    fn eliminate<const SWAPS: bool>(
         &mut self,
         fill: &mut dyn FnMut(usize, &mut [F]),
         corner: &mut BandMatrix<F>,
@@ -115,7 +125,9 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
             if let Some(before) = before.last() {
                 front.add_rest(before);
             }
-            front.eliminate(pivots, unknowns.reached, &mut border).map_err(|k| SingularAt(unknowns.own[k] as usize))?;
+            front
+                .eliminate::<SWAPS>(pivots, unknowns.reached, &mut border)
+                .map_err(|k| SingularAt(unknowns.own[k] as usize))?;
             self.sides[unknowns.first_side..][..unknowns.reached].copy_from_slice(&border.sides[..unknowns.reached]);
         }
         for (row, s) in self.touches.iter().zip(&border.corner) {
@@ -124,6 +136,28 @@ impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
             }
         }
         Ok(())
+    }
+}
+
+impl<F: Number, const N: usize> Chain<F> for FrontalChain<F, N> {
+    fn factorize(
+        &mut self,
+        fill: &mut dyn FnMut(usize, &mut [F]),
+        corner: &mut BandMatrix<F>,
+    ) -> Result<(), SingularAt> {
+        self.eliminate::<true>(fill, corner)
+    }
+
+    fn negative_pivots(
+        &mut self,
+        fill: &mut dyn FnMut(usize, &mut [F]),
+        corner: &mut BandMatrix<F>,
+    ) -> Result<usize, SingularAt> {
+        self.eliminate::<false>(fill, corner)?;
+        let negative = |(element, front): (usize, &Front<F, N>)| {
+            (0..self.pivots(element)).filter(|&k| front.lu[k][k].real() < 0.0).count()
+        };
+        Ok(self.fronts.iter().enumerate().map(negative).sum())
     }
 
     fn forward(&self, b: &mut [F]) {

@@ -32,12 +32,23 @@ pub struct Probe {
     pub at: Option<f64>,
     /// Recorded quantities, in the order of the columns.
     pub of: Vec<Quantity>,
+    /// Window, s, that ends at each row: recorded are means over it, in place of instantaneous values. Before the first
+    /// window is over, means since the start. Accelerations and reactions after a shock have a mean that converges.
+    #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
+    pub mean: Option<f64>,
 }
 
 impl Probe {
     /// Probes quantities of a point.
     pub fn point(name: &str, point: &str, of: &[Quantity]) -> Probe {
-        Probe { name: name.into(), point: Some(point.into()), rod: None, at: None, of: of.into() }
+        Probe { name: name.into(), point: Some(point.into()), rod: None, at: None, of: of.into(), mean: None }
+    }
+
+    /// Records means over a window of this length, s, that ends at each row.
+    #[must_use]
+    pub fn mean(mut self, window: f64) -> Probe {
+        self.mean = Some(window);
+        self
     }
 
     /// Probes the force on one of the rods that meet at a point.
@@ -48,7 +59,7 @@ impl Probe {
     /// Probes the deflection of a rod at a fraction of its length.
     pub fn deflection(name: &str, rod: &str, at: f64) -> Probe {
         let of = vec![Quantity::Deflection];
-        Probe { name: name.into(), point: None, rod: Some(rod.into()), at: Some(at), of }
+        Probe { name: name.into(), point: None, rod: Some(rod.into()), at: Some(at), of, mean: None }
     }
 }
 

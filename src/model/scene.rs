@@ -276,9 +276,14 @@ impl Scene {
         Some([x_0 + 0.5 * (x_1 - x_0), y_0 + 0.5 * (y_1 - y_0)])
     }
 
+    /// Whether the structure moves in time; not in statics.
+    pub(crate) fn moves(&self) -> bool {
+        self.time.method != Method::Static
+    }
+
     /// Whether energies are recorded. Not in statics, where slowly growing loads supply exactly the stored energy.
     pub(crate) fn has_energies(&self) -> bool {
-        self.output.energy && self.time.method != Method::Static
+        self.output.energy && self.moves()
     }
 
     /// Column names of `trajectory.csv`: `t`, two for each probed quantity (one for a deflection), then the energies if

@@ -109,7 +109,8 @@ impl Energy {
             .max(self.initial_kinetic + input.abs() + (potential - (self.initial - self.initial_kinetic)).abs());
         if created > self.supply + structure.energy_rounding() {
             let (time, step, supply) = (state.t, state.step, self.supply);
-            return Err(Error::EnergyAppeared { time, step, created, supply, cure: cure(method) });
+            let cause = "the step is far too long for a sudden load".into();
+            return Err(Error::EnergyAppeared { time, step, created, supply, cause, cure: cure(method) });
         }
         Ok(())
     }

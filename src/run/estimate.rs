@@ -5,10 +5,14 @@
 //! change of the positions is most of the error where the error falls fast, and half of it where it only halves: the
 //! estimate is twice the change.
 //!
-//! Compared are the positions of all points, and deflections of probes and of rods between held points, whether a probe
-//! asks for them or not. Velocities, accelerations, reactions and energies are not estimated: after a shock they may
-//! not converge at all. Neither a conserved energy nor the sum of an adaptive method's local errors says as much. The
-//! first knows nothing of positions, the second nothing of how errors grow or cancel.
+//! Compared are the positions of all points, and deflections of probes and of rods between supported points, whether a
+//! probe asks for them or not; and at the rows every column: velocities, accelerations, reactions, energies. Where no
+//! digit of a column is sure, one more run halves the step or doubles the elements' length, and shows whether the
+//! column converges at all. Neither a conserved energy nor the sum of an adaptive method's local errors says as much.
+//! The first knows nothing of positions, the second nothing of how errors grow or cancel.
+//!
+//! All of these runs may agree on a motion that is unstable. A run with a small deviation at the start has the verdict
+//! on that (`perturbed`); of an equilibrium the eigenvalues of its tangent have it.
 //!
 //! **Instants.** Methods with fixed steps are compared after each step (in long runs after every few) and at the rows,
 //! since a damped vibration is gone from both runs before a late row. The error is the largest over all these instants.
@@ -22,8 +26,11 @@
 //! hides it. A point that moves by less than a millionth of the structure's size is compared with the one that moves
 //! farthest.
 
-use super::accuracy::{Accuracy, Estimate};
+use super::accuracy::{Accuracy, ColumnAccuracy, Convergence, Estimate};
+use super::column_errors::{changes, column_errors, convergence, is_unsure};
+use super::load_scale::has_loads;
 use super::observer::{Observations, Observer, SAFETY};
+use super::perturbed::{self, Errors};
 use super::result::Run;
 use super::simulation::Simulation;
 use super::unresolved_loads::unresolved_load;
@@ -57,7 +64,8 @@ const MOST_PARTS: usize = 16;
 ///
 /// # Errors
 /// Those of [`run`](super::run()); [`Error::NoEstimate`] where a finer run fails, [`Error::Inaccurate`] where the sum
-/// of both errors exceeds a tenth of the motion, and [`Error::Unstable`] for an unstable equilibrium.
+/// of both errors exceeds a tenth of the motion, [`Error::Unstable`] for an unstable equilibrium, and
+/// [`Error::UnstableMotion`] for an unstable motion.
 pub fn run_estimated<M>(model: M, on_step: impl FnMut(usize)) -> Result<Run>
 where
     M: TryInto<Model>,
@@ -66,13 +74,14 @@ where
     let model = model.try_into()?;
     let scene = &model.scene().clone();
     let observer = Observer::of(scene);
-    let (mut own, seen) = observer.run_with_progress(Simulation::of(model)?, on_step)?;
-    let (finer, in_time, seen_in_time, how) = refine_in_time(&observer, &own)?;
+    let (mut own, seen) = observer.run_with_progress(Simulation::of(model.clone())?, on_step)?;
+    let (finer, in_time, seen_in_time, how) = refine_in_time(&observer, scene, own.counts.steps)?;
     let time = observer.changes(&seen, &seen_in_time, |_| true);
 
     // Explicit steps must be shorter on a finer mesh, so that the comparison uses equally short ones.
     let explicit = scene.time.method.is_explicit();
-    let (base, seen_of_base) = if explicit { (&finer, &seen_in_time) } else { (scene, &seen) };
+    let (base, run_of_base, seen_of_base) =
+        if explicit { (&finer, &in_time, &seen_in_time) } else { (scene, &own, &seen) };
     let mut mesh = base.clone();
     mesh.rods.iter_mut().for_each(|rod| rod.elements *= 2);
     let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
@@ -85,29 +94,75 @@ where
     if directions > 0 {
         return Err(Error::Unstable { directions });
     }
+    let time_changes = changes(&own.trajectory, &in_time.trajectory);
+    let space_changes = changes(&run_of_base.trajectory, &on_finer.trajectory);
+    let mut columns = column_errors(&own.trajectory, &time_changes, &space_changes);
+    let mut amplification = None;
+    if scene.time.method != Method::Static {
+        let observed = time.iter().zip(&space).map(|(time, space)| time + space).collect();
+        let errors = Errors { observed, columns: &columns };
+        amplification = Some(perturbed::amplification(&observer, model, &own, &seen, &errors)?);
+    }
     observer.judge(&seen, &time, &space)?;
+    if has_loads(scene) {
+        // A run that fails shows nothing about convergence.
+        if columns.iter().any(|column| is_unsure(column, column.time)) {
+            let again = refine_in_time(&observer, &finer, in_time.counts.steps).ok();
+            let second = again.map(|(_, run, ..)| changes(&in_time.trajectory, &run.trajectory));
+            judge_convergence(&mut columns, |column| column.time, &time_changes, second.as_deref());
+        }
+        if columns.iter().any(|column| is_unsure(column, column.space)) {
+            let coarser = coarser_mesh(base).and_then(|coarser| observer.run(&coarser).ok());
+            let first = coarser.map(|(run, _)| changes(&run.trajectory, &run_of_base.trajectory));
+            let second = first.is_some().then_some(&*space_changes);
+            judge_convergence(&mut columns, |column| column.space, first.as_deref().unwrap_or(&space_changes), second);
+        }
+    }
     let worst = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
     let pairs = [(&seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
     let at_rows = pairs.map(|(own, finer)| worst(observer.changes(own, finer, |is_row| is_row))).iter().sum();
     let [time, space] = [time, space].map(worst);
     let when = observer.schedule();
     let estimate = |value, method: &str| {
-        let method = format!(
-            "{SAFETY} × the largest change of a position, {when}, by {method}; velocities, reactions and energies are not estimated"
-        );
+        let method = format!("{SAFETY} × the largest change of a position, {when}, by {method}");
         Some(Estimate { value, unit: "m", method })
     };
-    own.accuracy = Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh), at_rows: Some(at_rows) };
+    let (time, space) = (estimate(time, &how), estimate(space, &on_mesh));
+    own.accuracy = Accuracy { time, space, at_rows: Some(at_rows), columns, amplification };
     Ok(own)
+}
+
+/// Marks the columns without a sure digit, because of one of their errors: whether they change by as much when halved
+/// once more. Without a second change they may converge.
+fn judge_convergence(
+    columns: &mut [ColumnAccuracy],
+    error: impl Fn(&ColumnAccuracy) -> f64,
+    first: &[f64],
+    second: Option<&[f64]>,
+) {
+    for (n, column) in columns.iter_mut().enumerate() {
+        if is_unsure(column, error(column)) && column.convergence != Convergence::None {
+            let found = second.map(|second| convergence(first[n], second[n]));
+            column.convergence = found.unwrap_or(Convergence::Unsure);
+        }
+    }
+}
+
+/// Scene with half the elements of every rod; `None` where a number is odd.
+fn coarser_mesh(scene: &Scene) -> Option<Scene> {
+    let mut coarser = scene.clone();
+    coarser.rods.iter_mut().for_each(|rod| rod.elements /= 2);
+    let halved = scene.rods.iter().zip(&coarser.rods).all(|(rod, half)| rod.elements == 2 * half.elements);
+    halved.then_some(coarser)
 }
 
 fn no_estimate(what: &str, error: Error) -> Error {
     Error::NoEstimate { what: what.into(), reason: error.to_string() }
 }
 
-/// Scene with finer steps, its run and observations, and the refinement in words.
-fn refine_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observations, String)> {
-    let scene = observer.scene;
+/// Scene with finer steps than those of `scene`, which made `steps`; its run and observations, and the refinement in
+/// words.
+fn refine_in_time(observer: &Observer, scene: &Scene, steps: usize) -> Result<(Scene, Run, Observations, String)> {
     let mut finer = scene.clone();
     let how = match scene.time.method {
         Method::Static => {
@@ -129,7 +184,7 @@ fn refine_in_time(observer: &Observer, own: &Run) -> Result<(Scene, Run, Observa
     let (mut run_of_it, mut seen, how) = with_finer_newton(observer, &mut finer, how)?;
     // Where rows and corners of histories are closer than half the longest step, all steps would be the same.
     for _ in 0..HALVINGS {
-        if !scene.time.method.is_adaptive() || run_of_it.counts.steps as f64 >= STEP_RATIO * own.counts.steps as f64 {
+        if !scene.time.method.is_adaptive() || run_of_it.counts.steps as f64 >= STEP_RATIO * steps as f64 {
             break;
         }
         divide(&mut finer, 2);

@@ -13,6 +13,9 @@ use std::collections::BTreeMap;
 
 use crate::model::{Force, Rod, Scene, Start, times_of};
 
+/// Rest of forces that cancel each other, relative to the sum of their magnitudes.
+const CANCELLED: f64 = 1e-14;
+
 /// Magnitudes of the loads that move a structure, N.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LoadScale {
@@ -92,12 +95,16 @@ fn of_points(scene: &Scene) -> impl Iterator<Item = f64> {
         let supports = scene.supports.iter().filter(|support| support.point == point);
         let held: Vec<[f64; 2]> = supports.flat_map(|support| support.held()).collect();
         let moving = |t: f64| {
-            let [x, y] = forces.iter().map(|force| force.at(t)).fold([0.0; 2], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
-            match *held {
+            let at_t = || forces.iter().map(|force| force.at(t));
+            let [x, y] = at_t().fold([0.0; 2], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
+            let moving = match *held {
                 [] => x.hypot(y),
                 [[along_x, along_y]] => (along_x * y - along_y * x).abs(),
                 _ => 0.0,
-            }
+            };
+            // Forces that cancel each other, or that the support takes, leave what rounding makes of them.
+            let all: f64 = at_t().map(|[x, y]| x.hypot(y)).sum();
+            if moving > CANCELLED * all { moving } else { 0.0 }
         };
         let histories = forces.iter().filter_map(|force| force.history.as_deref());
         times_of(histories, scene.time.end).into_iter().map(moving).fold(0.0, f64::max)

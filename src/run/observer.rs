@@ -16,10 +16,13 @@ use crate::structure::{PointId, RodId, Structure};
 pub(super) const SAFETY: f64 = 2.0;
 
 /// Largest estimated error relative to the motion: above it no digit is reliable.
-const INACCURATE: f64 = 0.1;
+pub(super) const INACCURATE: f64 = 0.1;
 
 /// Least motion, relative to the structure's size, that an error is compared with.
 const LEAST_MOTION: f64 = 1e-6;
+
+/// Error that is rounding, relative to the structure's size.
+const ROUNDING: f64 = 1e-12;
 
 /// Most observed vectors of a run, which are kept in memory: 32 MB.
 const MOST_OBSERVATIONS: usize = 2_000_000;
@@ -112,7 +115,7 @@ impl Observer<'_> {
         let probed = bends.filter_map(|probe| Some(rod(probe.rod.as_ref()?, probe.at?)));
         let is_held = |point: &String| {
             let supports = scene.supports.iter().filter(|support| support.point == *point);
-            supports.map(|support| support.held().len()).sum::<usize>() > 1
+            supports.map(|support| support.held().len()).sum::<usize>() > 0
         };
         let held = scene.rods.iter().filter(|rod| is_held(&rod.from) && is_held(&rod.to));
         // A single bow, and a wave with a node in the middle.
@@ -161,23 +164,36 @@ impl Observer<'_> {
     /// Estimated errors: twice the largest distance between two runs, over the instants that `counts` accepts (rows or
     /// others). NaN if a distance is.
     pub(super) fn changes(&self, own: &Observations, finer: &Observations, counts: impl Fn(bool) -> bool) -> Vec<f64> {
+        self.distances(own, finer, counts).into_iter().map(|distance| SAFETY * distance).collect()
+    }
+
+    /// Largest distances between two runs, over the instants that `counts` accepts (rows or others). NaN if a distance
+    /// is.
+    pub(super) fn distances(
+        &self,
+        own: &Observations,
+        finer: &Observations,
+        counts: impl Fn(bool) -> bool,
+    ) -> Vec<f64> {
         if own.times.len() != finer.times.len() {
             return vec![f64::NAN; self.observables.len()];
         }
         let apart = |([x, y], [other_x, other_y]): ([f64; 2], [f64; 2])| (x - other_x).hypot(y - other_y);
         let change = |observable: usize| {
             let pairs = own.of(observable).zip(finer.of(observable)).zip(&own.rows);
-            SAFETY * largest(pairs.filter(|(_, is_row)| counts(**is_row)).map(|(pair, _)| apart(pair)))
+            largest(pairs.filter(|(_, is_row)| counts(**is_row)).map(|(pair, _)| apart(pair)))
         };
         (0..self.observables.len()).map(change).collect()
     }
 
-    /// Refuses errors that leave no reliable digit of a motion.
-    ///
-    /// # Errors
-    /// [`Error::Inaccurate`] for the worst quantity.
-    pub(super) fn judge(&self, seen: &Observations, time: &[f64], space: &[f64]) -> Result<()> {
-        // Distance from the start, or from the position without loads.
+    /// An observed quantity in words.
+    pub(super) fn name(&self, observable: usize) -> String {
+        self.observables[observable].name()
+    }
+
+    /// Motions that the errors are compared with, m: of each observed quantity from its start or from its position
+    /// without loads; of the farthest one where its own is too small.
+    pub(super) fn motions(&self, seen: &Observations) -> Vec<f64> {
         let motion_of = |observable: usize, free_rotation: f64| {
             let [x_0, y_0] = seen.of(observable).next().unwrap_or_default();
             let [v_x, v_y] = self.observables[observable].velocity.map(|velocity| free_rotation * velocity);
@@ -186,19 +202,31 @@ impl Observer<'_> {
         };
         let farthest = largest((0..self.observables.len()).map(|observable| motion_of(observable, 0.0)));
         let (size, resting) = (self.scene.size(), !has_loads(self.scene));
-        let judged = |((observable, time), space): ((usize, &f64), &f64)| {
+        let moved = |observable: usize| {
             let own = motion_of(observable, 0.0).min(motion_of(observable, 1.0));
             // Where nothing moves the structure there is no motion to compare with.
-            let moved = if resting {
+            if resting {
                 farthest.max(size)
             } else if own >= LEAST_MOTION * size {
                 own
             } else {
                 farthest
-            };
+            }
+        };
+        (0..self.observables.len()).map(moved).collect()
+    }
+
+    /// Refuses errors that leave no reliable digit of a motion.
+    ///
+    /// # Errors
+    /// [`Error::Inaccurate`] for the worst quantity.
+    pub(super) fn judge(&self, seen: &Observations, time: &[f64], space: &[f64]) -> Result<()> {
+        let (motions, size) = (self.motions(seen), self.scene.size());
+        let judged = |((observable, time), space): ((usize, &f64), &f64)| {
+            let moved = motions[observable];
             // A NaN is not small.
-            let small = time + space <= INACCURATE * moved;
-            let name = || self.observables[observable].name();
+            let small = time + space <= INACCURATE * moved || time + space <= ROUNDING * size;
+            let name = || self.name(observable);
             (!small).then(|| Error::Inaccurate { place: name(), time: *time, space: *space, moved })
         };
         let share = |error: &Error| match error {

@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::energy::Energy;
 use super::trajectory::Trajectory;
+use super::window_mean::WindowMean;
 use crate::error::{Error, Result};
 use crate::integrators::{Counts, EquationOfMotion, State};
 use crate::model::plan::Plan;
@@ -14,6 +15,8 @@ use crate::structure::{Instant, PointId, RodId, Structure};
 pub struct Recorder {
     columns: Vec<String>,
     readings: Vec<Reading>,
+    /// Whether a reading is a mean, for which each step counts.
+    has_means: bool,
     /// Memory for all rows; below, the number of rows recorded.
     rows: Vec<Vec<f64>>,
     written: usize,
@@ -43,6 +46,7 @@ impl Recorder {
         let zeros = || DVector::zeros(structure.size());
         Ok(Recorder {
             readings: probed.map(|(probe, quantity)| Reading::of(structure, probe, quantity)).collect::<Result<_>>()?,
+            has_means: scene.probes.iter().any(|probe| probe.mean.is_some()),
             rows: rows.map(|_| Vec::with_capacity(columns.len())).collect(),
             columns,
             written: 0,
@@ -73,6 +77,36 @@ impl Recorder {
         }
     }
 
+    /// Adds the state after a step to the means.
+    pub fn add_to_means(
+        &mut self,
+        structure: &Structure,
+        state: &State,
+        multipliers: Option<&DVector<f64>>,
+        counts: &mut Counts,
+    ) {
+        if !self.has_means {
+            return;
+        }
+        self.accelerate(structure, state, counts);
+        let multipliers = multipliers.unwrap_or(&self.multipliers);
+        let now = Now { state, instant: Instant { u: &state.u, a: &self.a, t: state.t, multipliers } };
+        for Reading { place, mean, .. } in &mut self.readings {
+            if let Some(mean) = mean {
+                mean.add(state.t, place.read(structure, &now));
+            }
+        }
+    }
+
+    /// Computes accelerations and multipliers, if a probe needs them.
+    fn accelerate(&mut self, structure: &Structure, state: &State, counts: &mut Counts) {
+        if let Some(motion) = &mut self.motion {
+            motion.accelerate(structure, &state.u, state.t, counts);
+            self.a.copy_from(&motion.a);
+            structure.take_multipliers_into(&mut self.a, &mut self.multipliers);
+        }
+    }
+
     pub fn record(
         &mut self,
         structure: &Structure,
@@ -80,26 +114,25 @@ impl Recorder {
         multipliers: Option<&DVector<f64>>,
         counts: &mut Counts,
     ) -> Result<()> {
-        if let Some(motion) = &mut self.motion {
-            motion.accelerate(structure, &state.u, state.t, counts);
-            self.a.copy_from(&motion.a);
-            structure.take_multipliers_into(&mut self.a, &mut self.multipliers);
-        }
+        self.accelerate(structure, state, counts);
         let multipliers = multipliers.unwrap_or(&self.multipliers);
-        let now = Instant { u: &state.u, a: &self.a, t: state.t, multipliers };
+        let now = Now { state, instant: Instant { u: &state.u, a: &self.a, t: state.t, multipliers } };
         let Some(row) = self.rows.get_mut(self.written) else { return Ok(()) };
         // A failed attempt may have left its numbers.
         row.clear();
         row.push(state.t);
-        for reading in &self.readings {
-            match *reading {
-                Reading::Position(point) => row.extend(structure.position(point, &state.u)),
-                Reading::Velocity(point) => row.extend(structure.at_point(point, &state.v)),
-                Reading::Acceleration(point) => row.extend(structure.at_point(point, now.a)),
-                Reading::Reaction(point) => row.extend(structure.reaction(point, now)),
-                Reading::ForceOnRod(point, rod) => row.extend(structure.force_on_rod(point, rod, now)),
-                Reading::Deflection(rod, at) => row.push(structure.deflection(rod, at, &state.u)),
-            }
+        for reading in &mut self.readings {
+            let value = match &mut reading.mean {
+                None => reading.place.read(structure, &now),
+                Some(mean) => {
+                    // At the start there was no step.
+                    if self.written == 0 {
+                        mean.add(state.t, reading.place.read(structure, &now));
+                    }
+                    mean.mean()
+                }
+            };
+            row.extend(&value[..reading.columns]);
         }
         let energies = self.energy.as_mut().map(|energy| energy.row(structure, state));
         if self.has_energies {
@@ -136,8 +169,18 @@ impl Recorder {
     }
 }
 
-/// Quantity of a probe, with where it is read.
-enum Reading {
+/// Quantity of a probe.
+struct Reading {
+    place: Place,
+    /// Number of columns: 2 for a vector.
+    columns: usize,
+    /// Mean in place of instantaneous values.
+    mean: Option<WindowMean>,
+}
+
+/// Where and what is read.
+#[derive(Clone, Copy)]
+enum Place {
     Position(PointId),
     Velocity(PointId),
     Acceleration(PointId),
@@ -147,18 +190,40 @@ enum Reading {
     Deflection(RodId, f64),
 }
 
+/// State that is read, with its accelerations and multipliers.
+struct Now<'a> {
+    state: &'a State,
+    instant: Instant<'a>,
+}
+
 impl Reading {
     fn of(structure: &Structure, probe: &Probe, quantity: Quantity) -> Result<Reading> {
         let point = || structure.point(probe.point.as_deref().unwrap_or_default());
-        Ok(match (quantity, &probe.rod) {
-            (Quantity::Position, _) => Reading::Position(point()?),
-            (Quantity::Velocity, _) => Reading::Velocity(point()?),
-            (Quantity::Acceleration, _) => Reading::Acceleration(point()?),
-            (Quantity::Reaction, Some(rod)) => Reading::ForceOnRod(point()?, structure.rod(rod)?),
-            (Quantity::Reaction, None) => Reading::Reaction(point()?),
+        let place = match (quantity, &probe.rod) {
+            (Quantity::Position, _) => Place::Position(point()?),
+            (Quantity::Velocity, _) => Place::Velocity(point()?),
+            (Quantity::Acceleration, _) => Place::Acceleration(point()?),
+            (Quantity::Reaction, Some(rod)) => Place::ForceOnRod(point()?, structure.rod(rod)?),
+            (Quantity::Reaction, None) => Place::Reaction(point()?),
             (Quantity::Deflection, rod) => {
-                Reading::Deflection(structure.rod(rod.as_deref().unwrap_or_default())?, probe.at.unwrap_or_default())
+                Place::Deflection(structure.rod(rod.as_deref().unwrap_or_default())?, probe.at.unwrap_or_default())
             }
-        })
+        };
+        Ok(Reading { place, columns: quantity.suffixes().len(), mean: probe.mean.map(WindowMean::new) })
+    }
+}
+
+impl Place {
+    /// Value now; the second component of a deflection is 0.
+    fn read(self, structure: &Structure, now: &Now) -> [f64; 2] {
+        let Now { state, instant } = now;
+        match self {
+            Place::Position(point) => structure.position(point, &state.u),
+            Place::Velocity(point) => structure.at_point(point, &state.v),
+            Place::Acceleration(point) => structure.at_point(point, instant.a),
+            Place::Reaction(point) => structure.reaction(point, *instant),
+            Place::ForceOnRod(point, rod) => structure.force_on_rod(point, rod, *instant),
+            Place::Deflection(rod, at) => [structure.deflection(rod, at, &state.u), 0.0],
+        }
     }
 }

@@ -3,12 +3,16 @@
 use nalgebra::DVector;
 
 use super::accuracy::Accuracy;
+use super::growth::GrowthWatch;
 use super::monitor::Monitor;
 use super::recorder::Recorder;
 use super::result::Run;
+use super::ringing;
+use super::rotation::RotationWatch;
 use super::warnings::warnings;
 use crate::error::{Error, Result, time_text};
 use crate::integrators::{Counts, EquationOfMotion, Integrator, State, integrator};
+use crate::linear::SingularAt;
 use crate::model::plan::Plan;
 use crate::model::{Method, Model, Scene};
 use crate::structure::{Instant, Structure};
@@ -49,6 +53,10 @@ pub struct Simulation {
     counts: Counts,
     recorder: Recorder,
     monitor: Monitor,
+    /// Watch for rods that turn far in a step.
+    rotation: RotationWatch,
+    /// Watch for growing deviations; `None` in statics, which counts unstable directions.
+    growth: Option<GrowthWatch>,
     /// Equation of motion for accelerations and reactions requested between rows.
     motion: Option<EquationOfMotion>,
 }
@@ -99,8 +107,29 @@ impl Simulation {
     /// # Errors
     /// Those of [`new`](Simulation::new).
     pub fn planned(model: Model, plan: &Plan) -> Result<Simulation> {
-        Simulation::start(model, plan, |scene, structure, state, counts| {
-            integrator(scene, plan, structure, state, counts)
+        Simulation::start(
+            model,
+            plan,
+            |structure| Ok(State::at_start(structure)),
+            |scene, structure, state, counts| integrator(scene, plan, structure, state, counts),
+        )
+    }
+
+    /// Starts a simulation of a slightly displaced structure ([`Structure::perturbation`]).
+    ///
+    /// # Errors
+    /// Those of [`new`](Simulation::new).
+    pub(super) fn perturbed(model: Model, size: f64, period: f64) -> Result<Simulation> {
+        let plan = Plan::of(model.scene());
+        let displaced = |structure: &Structure| {
+            let mut state = State::at_start(structure);
+            let singular =
+                |SingularAt(unknown)| Error::Singular { time: 0.0, iteration: 0, place: structure.location(unknown) };
+            state.u += structure.perturbation(size, period).map_err(singular)?;
+            Ok(state)
+        };
+        Simulation::start(model, &plan, displaced, |scene, structure, state, counts| {
+            integrator(scene, &plan, structure, state, counts)
         })
     }
 
@@ -120,22 +149,26 @@ impl Simulation {
             return Err(Error::Scene { file, key, value, allowed });
         }
         let plan = Plan::of(model.scene());
-        Simulation::start(model, &plan, |_, structure, state, counts| make(structure, state, counts))
+        let rest = |structure: &Structure| Ok(State::at_start(structure));
+        Simulation::start(model, &plan, rest, |_, structure, state, counts| make(structure, state, counts))
     }
 
     fn start(
         model: Model,
         plan: &Plan,
+        begin: impl FnOnce(&Structure) -> Result<State>,
         make: impl FnOnce(&Scene, &Structure, &State, &mut Counts) -> Result<Box<dyn Integrator>>,
     ) -> Result<Simulation> {
         let scene = model.scene();
         let structure = Structure::of(&model, plan)?;
         let mut counts = Counts::default();
-        let state = State::at_start(&structure);
+        let state = begin(&structure)?;
         let method = make(scene, &structure, &state, &mut counts)?;
         let mut recorder = Recorder::new(scene, plan, &structure, &state, &mut counts)?;
         recorder.record(&structure, &state, method.multipliers(), &mut counts)?;
         let monitor = Monitor::new(scene, &structure);
+        let growth = scene.moves().then(|| GrowthWatch::new(&structure, scene, &state));
+        let rotation = RotationWatch::new(scene);
         let before = state.clone();
         Ok(Simulation {
             model,
@@ -148,6 +181,8 @@ impl Simulation {
             counts,
             recorder,
             monitor,
+            growth,
+            rotation,
             motion: None,
         })
     }
@@ -182,7 +217,10 @@ impl Simulation {
         self.advance(t, is_row)?;
         self.done = next;
         if is_row {
-            self.recorder.record(&self.structure, &self.state, self.method.multipliers(), &mut self.counts)?;
+            self.rotation.row(&self.structure, &self.state);
+            let recorded =
+                self.recorder.record(&self.structure, &self.state, self.method.multipliers(), &mut self.counts);
+            recorded.map_err(|error| self.rotation.explain(error))?;
             self.monitor.row(&self.structure, &self.state)?;
         }
         Ok(true)
@@ -251,13 +289,16 @@ impl Simulation {
         let mut warnings = warnings(self.model.scene());
         let unstable_directions = self.monitor.end(&self.structure, &self.state, &mut warnings)?;
         warnings.extend(self.recorder.imbalance_warning(&self.structure));
+        warnings.extend(self.rotation.warning());
+        warnings.extend(self.growth.and_then(|growth| growth.warning()));
         let (trajectory, counts) = (self.recorder.into_trajectory(), self.counts);
+        warnings.extend(ringing::warning(self.model.scene(), &trajectory));
         Ok(Run { trajectory, counts, warnings, unstable_directions, accuracy: Accuracy::default() })
     }
 
     /// Makes steps of the method until the time `t`, and monitors each of them. This loop allocates no memory.
     fn advance(&mut self, t: f64, is_row: bool) -> Result<()> {
-        let Simulation { structure, method, state, before, counts, recorder, monitor, .. } = self;
+        let Simulation { structure, method, state, before, counts, recorder, monitor, growth, .. } = self;
         while state.t < t {
             let from = state.t;
             let has_work = recorder.has_work();
@@ -280,6 +321,10 @@ impl Simulation {
             if state.t < t || !is_row {
                 monitor.step(structure, state)?;
             }
+            if let Some(growth) = growth {
+                growth.step(structure, state);
+            }
+            recorder.add_to_means(structure, state, method.multipliers(), counts);
         }
         Ok(())
     }

@@ -88,6 +88,12 @@ impl Rod {
         (meaning, element as f64 + at)
     }
 
+    /// Positions of the rod's nodes.
+    pub fn positions(&self) -> impl Iterator<Item = &NodeDofs> {
+        let is_position = |vector: usize| self.nodal(vector).0 == Meaning::Position;
+        self.chain.iter().enumerate().filter(move |(vector, _)| is_position(*vector)).map(|(_, dofs)| dofs)
+    }
+
     /// Indices in the chain of a node's position and of the slope that turns with its section, r_y or else r_x; the
     /// node is `place` elements from the first point.
     pub fn node(&self, place: f64) -> Option<(usize, usize)> {

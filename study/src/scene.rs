@@ -40,7 +40,7 @@ pub fn light_cantilever(element: Element, elements: usize, slenderness: f64, nu:
 
 /// A probe that has the name of its point.
 pub fn point_probe(point: &str, of: &[Quantity]) -> Probe {
-    Probe { name: point.into(), point: Some(point.into()), rod: None, at: None, of: of.to_vec() }
+    Probe { name: point.into(), point: Some(point.into()), rod: None, at: None, of: of.to_vec(), mean: None }
 }
 
 /// Changes of a scene.

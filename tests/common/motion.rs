@@ -43,13 +43,13 @@ pub fn longest(path: &[[f64; 2]]) -> f64 {
 
 /// A probe on a point that bears its name.
 pub fn probe(point: &str, of: &[Quantity]) -> Probe {
-    Probe { name: point.into(), point: Some(point.into()), rod: None, at: None, of: of.to_vec() }
+    Probe { name: point.into(), point: Some(point.into()), rod: None, at: None, of: of.to_vec(), mean: None }
 }
 
 /// A probe `point-rod` of the force on a rod at a point.
 pub fn force_on(point: &str, rod: &str) -> Probe {
     let (name, of) = (format!("{point}-{rod}"), vec![Quantity::Reaction]);
-    Probe { name, point: Some(point.into()), rod: Some(rod.into()), at: None, of }
+    Probe { name, point: Some(point.into()), rod: Some(rod.into()), at: None, of, mean: None }
 }
 
 /// Runs a scene that has to run.

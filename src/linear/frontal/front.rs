@@ -115,11 +115,18 @@ impl<F: Number, const N: usize> Front<F, N> {
         }
     }
 
-    /// Eliminates the first `pivots` coordinates.
+    /// Eliminates the first `pivots` coordinates; with `SWAPS` of rows where that saves digits.
     #[inline(always)]
-    pub fn eliminate(&mut self, pivots: usize, reached: usize, border: &mut Border<F, N>) -> Result<(), usize> {
+    pub fn eliminate<const SWAPS: bool>(
+        &mut self,
+        pivots: usize,
+        reached: usize,
+        border: &mut Border<F, N>,
+    ) -> Result<(), usize> {
         for k in 0..pivots {
-            self.pivot(k, pivots, &mut border.sides[..reached]);
+            if SWAPS {
+                self.pivot(k, pivots, &mut border.sides[..reached]);
+            }
             let diagonal = self.lu[k][k];
             let inverse = F::one() / diagonal;
             if diagonal.is_zero() || !inverse.is_finite() {

@@ -1,11 +1,15 @@
 //! Checks of probes: a point or a place on a rod, and quantities that exist there.
 
+use std::fmt::Display;
+
+use super::time::is_whole;
 use super::topology::{check_list, check_name, check_node, check_rod, unique};
 use crate::model::check::{Check, require};
-use crate::model::choice::Quantity;
+use crate::model::choice::{Method, Quantity};
 use crate::model::json::words::Words;
 use crate::model::probes::Probe;
 use crate::model::scene::Scene;
+use crate::model::time::Time;
 
 /// Checks names, places and quantities of the probes.
 pub(in crate::model) fn check_probes(scene: &Scene) -> Check {
@@ -14,6 +18,9 @@ pub(in crate::model) fn check_probes(scene: &Scene) -> Check {
         let allowed = "another name, as the columns `energy.…` hold energies";
         require(probe.name != "energy", format_args!("probes[{i}].name"), "\"energy\"", allowed)?;
         check_list(format_args!("probes[{i}].of"), probe.of.iter().map(|quantity| quantity.word()))?;
+        if let Some(window) = probe.mean {
+            check_window(scene, format_args!("probes[{i}].mean"), window)?;
+        }
         match (&probe.point, &probe.rod) {
             (Some(point), rod) => check_at_point(scene, i, probe, point, rod.as_deref())?,
             (None, Some(rod)) => check_on_rod(scene, i, probe, rod)?,
@@ -24,6 +31,17 @@ pub(in crate::model) fn check_probes(scene: &Scene) -> Check {
         }
     }
     unique("probes", "name", scene.probes.iter().map(|probe| probe.name.as_str()))
+}
+
+/// Checks the window of means: a time that the run has, and with fixed steps a whole number of them.
+fn check_window(scene: &Scene, key: impl Display, window: f64) -> Check {
+    let Time { end, step, method, .. } = scene.time;
+    let allowed = "nothing with the method \"static\", which has no time";
+    require(method != Method::Static, &key, format_args!("{window:?}"), allowed)?;
+    let allowed = format_args!("a number over 0 and up to the end of {end:?} s");
+    require(0.0 < window && window <= end, &key, format_args!("{window:?}"), allowed)?;
+    let allowed = format_args!("a whole number of steps of {step:?} s");
+    require(method.is_adaptive() || is_whole(window / step), &key, format_args!("{window:?}"), allowed)
 }
 
 /// Checks a probe of a point, or of the force on one rod there.

@@ -80,6 +80,7 @@ fn whole(key: &str, duration: f64, (unit, step): (&str, f64), part: f64) -> Chec
     require(is_whole(count), key, format_args!("{duration:?}"), allowed)
 }
 
-fn is_whole(count: f64) -> bool {
+/// Whether a ratio is a whole number, over 0, but for rounding.
+pub(super) fn is_whole(count: f64) -> bool {
     count > 0.5 && (count - count.round()).abs() <= (WHOLE_TOLERANCE.0 * count).min(WHOLE_TOLERANCE.1)
 }

@@ -106,7 +106,7 @@ fn press(element: Element, strain: f64) -> Result<Finding> {
     let both = vec![Direction::X, Direction::Y];
     scene.supports.push(Support { point: "a".into(), fix: both, slide: None, clamp: Some("rod".into()) });
     let (name, point, of) = ("wall".into(), Some("a".into()), vec![Quantity::Reaction]);
-    scene.probes.push(Probe { name, point, rod: None, at: None, of });
+    scene.probes.push(Probe { name, point, rod: None, at: None, of, mean: None });
     let mut own = run(&scene)?;
     // The element with ν ≠ 0 warns of locking in bending, of which there is none here.
     own.warnings.retain(|warning| !warning.contains("locks"));

@@ -85,7 +85,7 @@ fn scene(method: Method, constraints: Constraints, element: Element, ratio: f64)
         point_probe("b", &[Quantity::Position]),
         point_probe("o", &[Quantity::Reaction]),
         Probe { name: "pin".into(), rod: rod.clone(), of, ..point_probe("a", &[]) },
-        Probe { name: "middle".into(), point: None, rod, at: Some(0.5), of: deflection },
+        Probe { name: "middle".into(), point: None, rod, at: Some(0.5), of: deflection, mean: None },
     ];
     Ok(scene)
 }

@@ -1,0 +1,140 @@
+//! Watches a motion for deviations that grow: a straight rod may stay straight in a simulation long after it would have
+//! buckled.
+//!
+//! Signs of the tangent's eigenvalues alone are no criterion. Mechanisms have zero modes, a pushed rod or a driven
+//! scissor has negative ones, and in a rod that vibrates along its axis the force passes the Euler load in every half
+//! wave, too briefly to bend it. Looked for are deviations that grow by a factor of 10⁶ without a break.
+//!
+//! At a look the watch counts the directions that grow faster than e^(μ₀t), μ₀ = ln 10⁶ over the remaining time
+//! ([`Structure::growing_directions`]). If there are any, it bounds the largest rate μ from below by doubling μ₀, and
+//! the next looks come after some 0.7/μ each: a chain of looks. The chain breaks where nothing grows. If ∫μ dt over a
+//! chain reaches ln 10⁶ the motion is called unstable, and there are no more looks.
+
+use crate::elements::ThermalStrain;
+use crate::integrators::State;
+use crate::model::Scene;
+use crate::structure::{Factors, Structure};
+
+/// Growth that makes a motion unstable: an unavoidable deviation becomes visible.
+const FACTOR: f64 = 1e6;
+
+/// Steps between looks while nothing grows. A look costs a tangent and its elimination: as much as one step of
+/// generalized-α, or six explicit ones.
+const IMPLICIT_STEPS: usize = 64;
+const EXPLICIT_STEPS: usize = 500;
+
+/// Growth, in e-folds, between two looks of a chain: a rod that vibrates along its axis would have to be compressed at
+/// some twenty looks in a row.
+const FOLDS_BETWEEN_LOOKS: f64 = 0.7;
+
+/// Most doublings of the least rate.
+const DOUBLINGS: usize = 40;
+
+/// Watch of one motion.
+pub struct GrowthWatch {
+    end: f64,
+    every: usize,
+    /// Number of the step after which the watch looks again.
+    next: usize,
+    /// State at the last look: number of steps and time, s.
+    last: (usize, f64),
+    chain: Option<Growth>,
+    found: Option<Growth>,
+    looks: usize,
+    thermal: Vec<ThermalStrain>,
+    /// Memory for the factors.
+    factors: Factors,
+}
+
+/// Uninterrupted growth of small deviations.
+#[derive(Clone, Copy, Debug)]
+struct Growth {
+    from: f64,
+    to: f64,
+    /// Lower bound of the present growth rate, 1/s.
+    rate: f64,
+    /// Lower bound of ∫μ dt.
+    folds: f64,
+    directions: usize,
+}
+
+impl GrowthWatch {
+    /// Watch of a scene's motion, after a look at its start.
+    pub fn new(structure: &Structure, scene: &Scene, state: &State) -> GrowthWatch {
+        let every = if scene.time.method.is_explicit() { EXPLICIT_STEPS } else { IMPLICIT_STEPS };
+        let mut watch = GrowthWatch {
+            end: scene.time.end,
+            every,
+            next: 0,
+            last: (0, 0.0),
+            chain: None,
+            found: None,
+            looks: 0,
+            thermal: structure.thermal_strains(0.0),
+            factors: structure.factors(),
+        };
+        watch.look(structure, state);
+        // A short run is looked at again in its middle.
+        watch.next = watch.next.min(scene.steps() / 2);
+        watch
+    }
+
+    /// Looks at the state after a step, if that is due.
+    pub fn step(&mut self, structure: &Structure, state: &State) {
+        if state.step >= self.next && self.found.is_none() && state.t < self.end {
+            self.look(structure, state);
+        }
+    }
+
+    fn look(&mut self, structure: &Structure, state: &State) {
+        self.looks += 1;
+        structure.thermal_strains_into(state.t, &mut self.thermal);
+        let least = FACTOR.ln() / (self.end - state.t);
+        let factors = &mut self.factors;
+        let mut grows =
+            |rate: f64| structure.growing_directions(&state.u, &self.thermal, rate, factors).filter(|found| *found > 0);
+        let (steps, t) = self.last;
+        let step = (state.t - t) / (state.step - steps).max(1) as f64;
+        self.last = (state.step, state.t);
+        self.next = state.step + self.every;
+        let Some(directions) = grows(least) else {
+            self.chain = None;
+            return;
+        };
+        // Where the last look of the chain has found a rate, the search begins there.
+        let mut rate = self.chain.map_or(least, |chain| chain.rate.max(least));
+        for _ in 0..DOUBLINGS {
+            if grows(rate).is_some() {
+                break;
+            }
+            rate = (rate / 2.0).max(least);
+        }
+        for _ in 0..DOUBLINGS {
+            if grows(2.0 * rate).is_none() {
+                break;
+            }
+            rate *= 2.0;
+        }
+        let grown = match self.chain {
+            Some(chain) => {
+                let folds = chain.folds + chain.rate.min(rate) * (state.t - t);
+                Growth { to: state.t, rate, folds, directions: chain.directions.max(directions), ..chain }
+            }
+            None => Growth { from: state.t, to: state.t, rate, folds: 0.0, directions },
+        };
+        let pause = (FOLDS_BETWEEN_LOOKS / (rate * step)) * (0.75 + 0.5 * (0.618 * self.looks as f64).fract());
+        self.next = state.step + (pause.ceil() as usize).clamp(1, self.every);
+        self.chain = Some(grown);
+        self.found = Some(grown).filter(|grown| grown.folds >= FACTOR.ln());
+    }
+
+    /// Warning about a motion whose deviations grow.
+    pub fn warning(&self) -> Option<String> {
+        let Growth { from, to, folds, directions, .. } = self.found?;
+        Some(format!(
+            "the motion is unstable between t = {from:.3e} s and {to:.3e} s at least: small deviations grow by a factor of e^{folds:.0}, in \
+             {directions} direction(s), as when a rod buckles; a perfect structure may stay as it is where a real one would not; \
+             `--estimate` runs a slightly perturbed structure beside it, and an imperfection or a small lateral force shows where it goes"
+        ))
+    }
+}

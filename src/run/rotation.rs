@@ -1,0 +1,61 @@
+//! Watches how far rods turn in a step: methods of second order lag behind a rotation by θ³/12 a step, or run ahead.
+
+use crate::error::Error;
+use crate::integrators::State;
+use crate::model::Scene;
+use crate::structure::Structure;
+
+/// Rotation of a rod in one step that is warned of, rad: after ten such turns a rod is off by 0.05 rad.
+const WARNED: f64 = 0.1;
+
+/// Fastest rotation of a rod at the rows.
+pub struct RotationWatch {
+    /// Fixed step, s; `None` for adaptive methods, which resolve rotations, and in statics.
+    step: Option<f64>,
+    /// Largest rotation in a step, rad, the time of it, s, and the rod.
+    largest: (f64, f64, String),
+}
+
+impl RotationWatch {
+    pub fn new(scene: &Scene) -> RotationWatch {
+        let step = (scene.moves() && !scene.time.method.is_adaptive()).then_some(scene.time.step);
+        RotationWatch { step, largest: (0.0, 0.0, String::new()) }
+    }
+
+    /// Looks at the state of a row.
+    pub fn row(&mut self, structure: &Structure, state: &State) {
+        let Some(step) = self.step else { return };
+        let (rate, rod) = structure.fastest_rotation(&state.u, &state.v);
+        if rate * step > self.largest.0.max(WARNED) {
+            self.largest = (rate * step, state.t, rod.into());
+        }
+    }
+
+    /// Warning about rotations that the steps do not resolve.
+    pub fn warning(&self) -> Option<String> {
+        let (turn, t, rod) = &self.largest;
+        let cure = self.cure()?;
+        Some(format!(
+            "the rod `{rod}` turns by {turn:.2} rad in a step, at t = {t:.3e} s: what turns so far lags behind or runs ahead, by \
+             a good part of a turn after some steps, with all energies kept; {cure}"
+        ))
+    }
+
+    /// Error of a row; rotations that steps do not resolve are told as the cause of energy from nowhere.
+    pub fn explain(&self, error: Error) -> Error {
+        match (error, self.cure()) {
+            (Error::EnergyAppeared { time, step, created, supply, .. }, Some(cure)) => {
+                let cause = format!("the rod `{}` turns by {:.2} rad in a step", self.largest.2, self.largest.0);
+                Error::EnergyAppeared { time, step, created, supply, cause, cure }
+            }
+            (error, _) => error,
+        }
+    }
+
+    /// Step that resolves the fastest rotation; `None` if all are resolved.
+    fn cure(&self) -> Option<String> {
+        let (turn, ..) = self.largest;
+        let step = self.step.filter(|_| turn > WARNED)? * WARNED / turn;
+        Some(format!("the method \"gauss\" with a `time.step` of at most {step:.1e} s helps"))
+    }
+}
