@@ -60,7 +60,7 @@ pub enum Error {
         "Newton's iteration did not converge at t = {} s: residual {residual:.3e} of the largest \
          force term after {iterations} iterations (tolerance {tolerance:.1e}); {}",
         time_text(*time),
-        newton_advice(*residual, *at_rounding)
+        newton_advice(*residual, *at_rounding, *shared_tangent)
     )]
     NewtonFailed {
         /// Time at the end of the failed step, s.
@@ -74,6 +74,8 @@ pub enum Error {
         /// Whether the residual is at the level of rounding errors of the elastic forces, which a smaller step does not
         /// reduce.
         at_rounding: bool,
+        /// Whether one tangent serves both stages of the method, which converges only while they are alike.
+        shared_tangent: bool,
     },
     /// Statics found no equilibrium.
     #[error(
@@ -337,12 +339,15 @@ const COLLAPSE_ADVICE: &str = "or come too suddenly for the step: a `history` th
      `time.tolerance` for adaptive methods";
 
 /// Advice for an iteration that does not converge.
-fn newton_advice(residual: f64, at_rounding: bool) -> &'static str {
+fn newton_advice(residual: f64, at_rounding: bool, shared_tangent: bool) -> &'static str {
     if !residual.is_finite() {
         "numbers have left their range: a load, `E` or `rho` is far too large or too small, or a step too long"
     } else if at_rounding {
         "it has stopped at rounding errors of the elastic forces, since `E` is large compared with the loads: a larger `time.newton_tolerance` helps, \
          or fewer elements"
+    } else if shared_tangent {
+        "one tangent serves both stages of \"gauss\", which are too different where stiff rods turn or bend far in a step; \
+         \"energy-momentum\" helps, and a much smaller `time.step`"
     } else {
         "a smaller `time.step` helps, and for sudden heat or forces a `history` that lets them grow, or \"explicit\", which does \
          not iterate"

@@ -128,7 +128,7 @@ impl Integrator for EnergyMomentum {
         workspace.predicted_u.axpy(*dt, &state.v, 1.0);
         let largest_load = structure.largest_force(&workspace.load);
         let mut step = StepEquations { structure, dt: *dt, state, workspace, largest_load };
-        newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
+        newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1, false))?;
 
         // u₁ = u₀ + Δt v₀ + δ, v₁ = v₀ + 2δ/Δt.
         state.v.axpy(2.0 / *dt, &workspace.increment.du, 1.0);

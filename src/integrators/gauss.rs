@@ -205,7 +205,7 @@ impl Embedded for Gauss {
         structure.inertia_into(&state.v, &mut workspace.elastic);
         let inertia_rounding = f64::EPSILON * INVERSE_SIZE * structure.largest_force(&workspace.elastic) / dt;
         let mut step = StepEquations { structure, dt, state, workspace, largest_load, inertia_rounding };
-        newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
+        newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1, true))?;
 
         state.u.axpy(dt, &state.v, 1.0);
         for (stage, a) in workspace.a.iter().enumerate() {

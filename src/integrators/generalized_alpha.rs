@@ -178,7 +178,7 @@ impl Integrator for GeneralizedAlpha {
         let largest_given =
             structure.largest_force(&workspace.unbalanced).max(structure.largest_force(&workspace.load));
         let mut step = StepEquations { structure, weights: *weights, state, a_0, workspace, largest_given };
-        newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1))?;
+        newton.solve(&mut step, counts).map_err(|failure| step_failed(failure, structure, t_1, false))?;
 
         // The last residual's forces are those of the solution.
         workspace.unbalanced.copy_from(&workspace.elastic);

@@ -54,11 +54,11 @@ impl Increment {
     }
 }
 
-/// Error of a failed step that ends at `time`.
-pub fn step_failed(failure: Failure, structure: &Structure, time: f64) -> Error {
+/// Error of a failed step that ends at `time`; several stages may share a tangent.
+pub fn step_failed(failure: Failure, structure: &Structure, time: f64, shared_tangent: bool) -> Error {
     match failure {
         Failure::NotConverged { iterations, residual, tolerance, at_rounding } => {
-            Error::NewtonFailed { time, iterations, residual, tolerance, at_rounding }
+            Error::NewtonFailed { time, iterations, residual, tolerance, at_rounding, shared_tangent }
         }
         Failure::Singular { iteration, at: SingularAt(unknown) } => {
             Error::Singular { time, iteration, place: structure.location(unknown) }

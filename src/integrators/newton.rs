@@ -30,7 +30,7 @@ const STAGNATION: f64 = 0.25;
 const ROUNDING_FACTOR: f64 = 8.0;
 
 /// Multiple of the allowed residual below which rounding is blamed for a failure.
-const ROUNDING_SUSPECTED: f64 = 100.0;
+const ROUNDING_SUSPECTED: f64 = 4.0;
 
 /// Magnitude of the residual, and of the largest of its terms, which it is compared with.
 #[derive(Clone, Copy, Debug)]

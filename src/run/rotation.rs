@@ -5,13 +5,17 @@ use crate::integrators::State;
 use crate::model::Scene;
 use crate::structure::Structure;
 
-/// Rotation of a rod in one step that is warned of, rad: after ten such turns a rod is off by 0.05 rad.
+/// Rotation of a rod in one step that is warned of, rad: after 600 such steps a rod is off by 0.05 rad.
 const WARNED: f64 = 0.1;
+
+/// Error of the angle at the end that the advised step allows, rad.
+const ALLOWED: f64 = 0.01;
 
 /// Fastest rotation of a rod at the rows.
 pub struct RotationWatch {
     /// Fixed step, s; `None` for adaptive methods, which resolve rotations, and in statics.
     step: Option<f64>,
+    end: f64,
     /// Largest rotation in a step, rad, the time of it, s, and the rod.
     largest: (f64, f64, String),
 }
@@ -19,7 +23,7 @@ pub struct RotationWatch {
 impl RotationWatch {
     pub fn new(scene: &Scene) -> RotationWatch {
         let step = (scene.moves() && !scene.time.method.is_adaptive()).then_some(scene.time.step);
-        RotationWatch { step, largest: (0.0, 0.0, String::new()) }
+        RotationWatch { step, end: scene.time.end, largest: (0.0, 0.0, String::new()) }
     }
 
     /// Looks at the state of a row.
@@ -52,10 +56,11 @@ impl RotationWatch {
         }
     }
 
-    /// Step that resolves the fastest rotation; `None` if all are resolved.
+    /// Step that resolves the fastest rotation ω to the end T, ωT (ωΔt)²/12; `None` if all are resolved.
     fn cure(&self) -> Option<String> {
         let (turn, ..) = self.largest;
-        let step = self.step.filter(|_| turn > WARNED)? * WARNED / turn;
-        Some(format!("the method \"gauss\" with a `time.step` of at most {step:.1e} s helps"))
+        let rate = turn / self.step.filter(|_| turn > WARNED)?;
+        let step = (12.0 * ALLOWED / (rate * self.end)).sqrt() / rate;
+        Some(format!("a `time.step` of {step:.1e} s keeps the angle at the end within {ALLOWED} rad"))
     }
 }
