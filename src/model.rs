@@ -14,6 +14,7 @@ mod heat;
 mod history;
 mod json;
 mod loads;
+mod method_settings;
 mod motion;
 mod nearest;
 pub(crate) mod plan;

@@ -203,9 +203,15 @@ impl Drawn {
             "gravity": [0.0, -weight * modulus / (rho * size)],
             "forces": [{"point": "b", "force": [0.3 * force * stiffness, -force * stiffness]},
                        {"point": "a", "force": [held * stiffness, 0.5 * held * stiffness]}],
-            "time": {"method": method, "newton_tolerance": self.newton, "rho_inf": self.rho_inf},
+            "time": {"method": method},
             "probes": probes,
         });
+        if !matches!(method, "explicit" | "nystrom" | "nystrom-adaptive") {
+            scene["time"]["newton_tolerance"] = json!(self.newton);
+        }
+        if method == "generalized-alpha" {
+            scene["time"]["rho_inf"] = json!(self.rho_inf);
+        }
         if let Some((strain, sudden, along)) = self.heat {
             let history = if sudden || is_static {
                 json!([[0.0, strain / 1e-5]])
@@ -231,7 +237,9 @@ impl Drawn {
             let step = short * wave;
             scene["time"]["step"] = json!(step);
             scene["time"]["end"] = json!(step * self.steps as f64);
-            scene["time"]["tolerance"] = json!(1e-4 * size);
+            if method.ends_with("adaptive") {
+                scene["time"]["tolerance"] = json!(1e-4 * size);
+            }
             if let Some(corners) = self.corners {
                 let end = step * self.steps as f64;
                 scene["forces"][0]["history"] = corners.iter().map(|(t, factor)| json!([t * end, factor])).collect();
@@ -401,7 +409,9 @@ fn finer(scene: &Scene) -> Result<Run, Error> {
     fine.time.load_steps *= every;
     if scene.time.method != Method::Static {
         fine.output.interval = Some(scene.output.interval.unwrap_or(scene.time.step));
-        fine.time.tolerance /= 1000.0;
+        if scene.time.method.is_adaptive() {
+            fine.time.tolerance /= 1000.0;
+        }
         // Bending of Euler–Bernoulli elements a quarter as long is sixteen times as fast; a tolerance above all motion bounds no step.
         let explicit = scene.time.method.is_explicit();
         fine.time.step /= if explicit && scene.rods[0].element == Element::EulerBernoulli { 32.0 } else { 8.0 };

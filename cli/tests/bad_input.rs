@@ -20,7 +20,7 @@ const GOOD: &str = r#"{
   "supports": [{"point": "o", "fix": ["x"]}],
   "gravity": [0.0, -9.8],
   "temperature": {"model": "2d", "start": "relaxed", "history": [[0.0, 20.0], [1.0, 25.0]]},
-  "time": {"end": 0.002, "step": 1e-3, "method": "energy-momentum", "rho_inf": 0.8, "newton_tolerance": 1e-9},
+  "time": {"end": 0.002, "step": 1e-3, "method": "generalized-alpha", "rho_inf": 0.8, "newton_tolerance": 1e-9},
   "output": {"interval": 0.002, "energy": true},
   "probes": [{"name": "tip", "point": "apex", "of": ["position"]}]
 }
@@ -41,7 +41,7 @@ const CROSS: &str = r#"{
   "forces": [{"point": "m", "force": [1.5, -2.5], "history": [[0.0, 0.0], [0.1, 1.0]]}],
   "temperature": {"history": [[0.0, 40.0]]},
   "constraints": "multipliers",
-  "time": {"end": 0.002, "step": 1e-3, "method": "generalized-alpha", "load_steps": 7},
+  "time": {"end": 0.002, "step": 1e-3, "method": "generalized-alpha"},
   "probes": [{"name": "pin", "point": "m", "rod": "up", "of": ["reaction"]},
     {"name": "foot", "point": "p", "of": ["reaction"]},
     {"name": "bend", "rod": "down", "at": 0.25, "of": ["deflection"]}]
@@ -188,8 +188,8 @@ refused! {
     key_that_begins_like_another: r#""o": [0.0, 0.0], "apex": [0.5, 0.0]"# => r#""ap": [0.0, 0.0], "apex": [0.5, "x"]"#; 6, "`points.apex[1]` is \"x\""; "a number"
     point_with_one_coordinate: "[0.5, 0.0]" => "[0.5]"; 6, "`points.apex` is [0.5]"; "two numbers"
     point_with_three_coordinates: "[0.5, 0.0]" => "[0.5, 0.0, 0.0]"; 6, "`points.apex` is [0.5, 0.0, 0.0]"; "two numbers"
-    unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`, `gauss`, `nystrom`, `gauss-adaptive`, `nystrom-adaptive`, `static`"
-    number_for_a_word: r#""energy-momentum""# => "4"; 11, "`time.method` is 4"; "`generalized-alpha`, `energy-momentum`, `explicit`"
+    unknown_word: r#""generalized-alpha""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`, `gauss`, `nystrom`, `gauss-adaptive`, `nystrom-adaptive`, `static`"
+    number_for_a_word: r#""generalized-alpha""# => "4"; 11, "`time.method` is 4"; "`generalized-alpha`, `energy-momentum`, `explicit`"
     object_for_a_word: r#""2d""# => r#"{"2d": null}"#; 10, "`temperature.model` is {\"2d\": null}"; "`2d`, `1d`, `none`"
     nan: r#""nu": 0.3"# => r#""nu": NaN"#; 4, "`material.nu` is NaN"; "numbers are finite"
     nan_in_a_list: "[0.5, 0.0]" => "[0.5, NaN]"; 6, "`points.apex[1]` is NaN"; "numbers are finite"
@@ -226,6 +226,7 @@ refused! {
     negative_interval: r#""interval": 0.002"# => r#""interval": -0.002"#; 12, "`output.interval` is -0.002"; "over 0"
     rho_inf_over_one: "0.8" => "1.1"; 11, "`time.rho_inf` is 1.1"; "from 0 to 1"
     negative_rho_inf: "0.8" => "-0.1"; 11, "`time.rho_inf` is -0.1"; "from 0 to 1"
+    idle_tolerance: r#""rho_inf": 0.8"# => r#""tolerance": 1e-6"#; 11, "`time.tolerance` is 1e-6"; "nothing with the method \"generalized-alpha\", which has no use for it: \"gauss-adaptive\" and \"nystrom-adaptive\" choose their steps by it"
     zero_tolerance: "1e-9" => "0.0"; 11, "`time.newton_tolerance` is 0.0"; "over 0"
     coarse_tolerance: "1e-9" => "0.1"; 11, "`time.newton_tolerance` is 0.1"; "not over 1e-2"
 }
@@ -233,6 +234,9 @@ refused! {
 // Methods with steps of their own choice.
 refused! {
     in ADAPTIVE;
+    idle_radius: r#""tolerance": 1e-6"# => r#""rho_inf": 0.5"#; 7, "`time.rho_inf` is 0.5"; "nothing with the method \"gauss-adaptive\", which has no use for it: \"generalized-alpha\" has a spectral radius"
+    idle_load_steps: r#""tolerance": 1e-6"# => r#""load_steps": 10"#; 7, "`time.load_steps` is 10"; "\"static\" has load steps"
+    idle_newton_tolerance: r#""gauss-adaptive""# => r#""nystrom-adaptive", "newton_tolerance": 1e-10"#; 7, "`time.newton_tolerance` is 1e-10"; "nothing with the method \"nystrom-adaptive\", which has no use for it: implicit methods and \"static\" iterate"
     zero_tolerance_of_a_step: r#""tolerance": 1e-6"# => r#""tolerance": 0.0"#; 7, "`time.tolerance` is 0.0"; "a finite number over 0"
     negative_tolerance_of_a_step: r#""tolerance": 1e-6"# => r#""tolerance": -1e-6"#; 7, "`time.tolerance` is -1e-6"; "a finite number over 0"
     tolerance_that_is_no_number: r#""tolerance": 1e-6"# => r#""tolerance": NaN"#; 7, "`time.tolerance` is NaN"; "numbers are finite"
@@ -336,9 +340,6 @@ refused! {
     multipliers_with_gauss: "generalized-alpha" => "gauss"; 14, "`constraints` is \"multipliers\""; "needs the method \"generalized-alpha\" (here: \"gauss\")"
     multipliers_with_nystrom: "generalized-alpha" => "nystrom"; 14, "`constraints` is \"multipliers\""; "needs the method \"generalized-alpha\" (here: \"nystrom\")"
     multipliers_with_another_method: "generalized-alpha" => "energy-momentum"; 14, "`constraints` is \"multipliers\""; "needs the method \"generalized-alpha\" (here: \"energy-momentum\")"
-    no_load_steps: r#""load_steps": 7"# => r#""load_steps": 0"#; 15, "`time.load_steps` is 0"; "a whole number from 1 to 1000000"
-    too_many_load_steps: r#""load_steps": 7"# => r#""load_steps": 1000001"#; 15, "`time.load_steps` is 1000001"; "a whole number from 1 to 1000000"
-    load_steps_in_parts: r#""load_steps": 7"# => r#""load_steps": 7.5"#; 15, "`time.load_steps` is 7.5"; "a whole number"
 }
 
 // Probes of a structure.
@@ -360,6 +361,12 @@ refused! {
 // Statics.
 refused! {
     in STILL;
+    no_load_steps: r#""static""# => r#""static", "load_steps": 0"#; 10, "`time.load_steps` is 0"; "a whole number from 1 to 1000000"
+    too_many_load_steps: r#""static""# => r#""static", "load_steps": 1000001"#; 10, "`time.load_steps` is 1000001"; "a whole number from 1 to 1000000"
+    load_steps_in_parts: r#""static""# => r#""static", "load_steps": 7.5"#; 10, "`time.load_steps` is 7.5"; "a whole number"
+    step_of_statics: r#""static""# => r#""static", "step": 1e-3"#; 10, "`time.step` is 1e-3"; "nothing with the method \"static\", which has no use for it: methods that move in time have a step"
+    energies_of_statics: r#"  "probes""# => r#"  "output": {"energy": false}, "probes""#; 11, "`output.energy` is false"; "slowly growing loads supply exactly the stored energy"
+    radius_of_statics: r#""static""# => r#""static", "rho_inf": 0.9"#; 10, "`time.rho_inf` is 0.9"; "nothing with the method \"static\", which has no use for it: \"generalized-alpha\" has a spectral radius"
     end_of_statics: r#""method""# => r#""end": 2.0, "method""#; 10, "`time.end` is 2.0"; "1, or nothing: with the method \"static\""
     force_with_a_history_in_statics: "-0.5]" => r#"-0.5], "history": [[0.0, 1.0]]"#; 8, "`forces[0].history` is [[0.0, 1.0]]"; "no history with the method \"static\""
     heat_with_a_history_in_statics: "20.0]" => "20.0], [1.0, 30.0]"; 9, "`temperature.history` is [[0.0, 20.0], [1.0, 30.0]]"; "a single pair [t, dT] with the method \"static\""

@@ -2,6 +2,7 @@
 
 mod heat;
 mod history;
+pub mod idle;
 mod loads;
 mod motion;
 mod probes;
@@ -17,6 +18,7 @@ use super::choice::{Constraints, Element, Form, Method, Poisson};
 use super::rod::{Material, Rod, Section};
 use super::scene::Scene;
 use heat::check_heat;
+use idle::check_idle;
 use loads::check_loads;
 use motion::check_motion;
 use probes::check_probes;
@@ -48,6 +50,7 @@ pub fn check(scene: &Scene) -> Check {
     check_constraints(scene)?;
     check_form(scene)?;
     check_time(scene)?;
+    check_idle(scene, |_| false)?;
     check_statics(scene)?;
     check_motion(scene)?;
     check_probes(scene)?;

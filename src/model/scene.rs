@@ -8,6 +8,7 @@ use super::choice::{Constraints, Form, Method, Schema, ThermalModel, is_default}
 use super::heat::Temperature;
 use super::json::shape;
 use super::loads::Force;
+use super::method_settings::drop_idle;
 use super::motion::Motion;
 use super::probes::{ENERGY_COLUMNS, Probe};
 use super::rod::{Material, Rod, Section};
@@ -177,7 +178,8 @@ impl Scene {
         self
     }
 
-    /// Sets the method and its step, s (adaptive methods: the longest step).
+    /// Sets the method and its step, s (adaptive methods: the longest step). Settings that the method has no use for
+    /// return to their defaults.
     ///
     /// ```
     /// use ancf::model::{Method, Scene};
@@ -188,6 +190,7 @@ impl Scene {
     #[must_use]
     pub fn method(mut self, method: Method, step: f64) -> Scene {
         (self.time.method, self.time.step) = (method, step);
+        drop_idle(&mut self.time);
         self
     }
 

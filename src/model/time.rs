@@ -31,19 +31,19 @@ pub struct Time {
     /// Time-stepping method.
     #[serde(default)]
     pub method: Method,
-    /// Spectral radius ρ∞ of generalized-α at infinite frequency, 0 … 1; no effect on other methods.
-    #[serde(default = "default_rho_inf")]
+    /// Spectral radius ρ∞ of generalized-α at infinite frequency, 0 … 1; refused with other methods.
+    #[serde(default = "default_rho_inf", skip_serializing_if = "is_default_rho_inf")]
     pub rho_inf: f64,
     /// Tolerance of Newton's iteration: residual relative to the largest force term. Where rounding prevents that, the
-    /// iteration ends at eight times the rounding error of the elastic forces.
-    #[serde(default = "default_newton_tolerance")]
+    /// iteration ends at eight times the rounding error of the elastic forces. Refused with explicit methods.
+    #[serde(default = "default_newton_tolerance", skip_serializing_if = "is_default_newton_tolerance")]
     pub newton_tolerance: f64,
     /// Adaptive methods: largest estimated error of a step, m, in positions and in slopes times the length over which
-    /// they act. No effect on other methods.
-    #[serde(default = "default_tolerance")]
+    /// they act. Refused with other methods.
+    #[serde(default = "default_tolerance", skip_serializing_if = "is_default_tolerance")]
     pub tolerance: f64,
-    /// Statics: number of equal load steps for loads and heat. No effect on other methods.
-    #[serde(default = "default_load_steps")]
+    /// Statics: number of equal load steps for loads and heat. Refused with other methods.
+    #[serde(default = "default_load_steps", skip_serializing_if = "is_default_load_steps")]
     pub load_steps: usize,
 }
 
@@ -107,4 +107,20 @@ impl Default for Output {
     fn default() -> Self {
         Output { interval: None, energy: default_energy() }
     }
+}
+
+fn is_default_rho_inf(value: &f64) -> bool {
+    *value == default_rho_inf()
+}
+
+fn is_default_newton_tolerance(value: &f64) -> bool {
+    *value == default_newton_tolerance()
+}
+
+fn is_default_tolerance(value: &f64) -> bool {
+    *value == default_tolerance()
+}
+
+fn is_default_load_steps(value: &usize) -> bool {
+    *value == default_load_steps()
 }

@@ -64,9 +64,8 @@ impl Change for Scene {
         self
     }
 
-    fn solved(mut self, method: Method, step: f64, end: f64) -> Scene {
-        (self.time.method, self.time.step, self.time.end) = (method, step, end);
-        self
+    fn solved(self, method: Method, step: f64, end: f64) -> Scene {
+        self.method(method, step).until(end)
     }
 
     fn newton(mut self, tolerance: f64) -> Scene {

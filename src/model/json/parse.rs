@@ -10,6 +10,7 @@ use super::words::Words;
 use crate::error::{Error, Result};
 use crate::model::check::Refusal;
 use crate::model::checks::check;
+use crate::model::checks::idle::check_idle;
 use crate::model::choice::Schema;
 use crate::model::nearest::or_nearest;
 use crate::model::scene::Scene;
@@ -20,13 +21,16 @@ use crate::model::scene::Scene;
 /// [`Error::Scene`] with place in the file, key, value as written, and what is allowed.
 pub fn read_scene(text: &str, file: &str) -> Result<Scene> {
     let scene = read(text).map_err(|(refusal, place)| refusal.into_error(file, Some(place)))?;
-    check_missing(&scene, text).and_then(|()| check(&scene)).map_err(|mut refusal| {
-        if let Some(at) = start_of(text, &refusal.key) {
-            refusal.value = value_at(text, at);
-        }
-        let place = position_of(text, &refusal.key);
-        refusal.into_error(file, Some(place))
-    })?;
+    check_missing(&scene, text)
+        .and_then(|()| check(&scene))
+        .and_then(|()| check_idle(&scene, |key| start_of(text, key).is_some()))
+        .map_err(|mut refusal| {
+            if let Some(at) = start_of(text, &refusal.key) {
+                refusal.value = value_at(text, at);
+            }
+            let place = position_of(text, &refusal.key);
+            refusal.into_error(file, Some(place))
+        })?;
     Ok(scene)
 }
 

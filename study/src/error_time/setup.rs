@@ -79,7 +79,11 @@ impl Setup {
     pub fn scene(&self, record: Record) -> Result<Scene> {
         let Setup { benchmark, element, elements, technique, resolution } = *self;
         let mut scene = benchmark.built_in()?.meshed(element, elements);
-        (scene.time.method, scene.time.newton_tolerance) = (technique.method, technique.newton_tolerance);
+        let step = scene.time.step;
+        scene = scene.method(technique.method, step);
+        if !technique.explicit {
+            scene.time.newton_tolerance = technique.newton_tolerance;
+        }
         scene.time.tolerance = resolution.tolerance().unwrap_or(scene.time.tolerance);
         match resolution {
             Resolution::LoadSteps(count) => scene.time.load_steps = count,

@@ -90,8 +90,9 @@ fn sudden(method: Method, element: Element, force: f64, elements: usize, step: f
     let guide = Support { point: "a".into(), fix: vec![Direction::Y], slide: None, clamp: Some("rod".into()) };
     scene.supports.push(guide);
     scene.forces.push(Force { point: "a".into(), force: [-force * MODULUS * 4e-4, 0.0], history: None });
-    // Of an adaptive method, m.
-    scene.time.tolerance = 0.1 * step * force;
+    if method.is_adaptive() {
+        scene.time.tolerance = 0.1 * step * force;
+    }
     Ok(run(&scene)?)
 }
 

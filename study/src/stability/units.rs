@@ -150,7 +150,9 @@ fn converted(scene: &Scene, units: Units) -> Scene {
     if scene.time.method != Method::Static {
         (scene.time.end, scene.time.step) = (scene.time.end * time, scene.time.step * time);
     }
-    scene.time.tolerance *= length;
+    if scene.time.method.is_adaptive() {
+        scene.time.tolerance *= length;
+    }
     scene.output.interval = scene.output.interval.map(|interval| interval * time);
     scene
 }

@@ -1,0 +1,31 @@
+//! Refuses settings without effect: a run that ignores what a file says is a silent surprise.
+
+use crate::model::check::{Check, Refusal};
+use crate::model::choice::Method;
+use crate::model::method_settings::{SETTINGS, Setting};
+use crate::model::scene::Scene;
+use crate::model::time::Time;
+
+/// Keys that statics has no use for; a scene from code has them at any value.
+const IDLE_IN_STATICS: [(&str, &str); 2] = [
+    ("time.step", "methods that move in time have a step, statics has `time.load_steps`"),
+    ("output.energy", "in statics slowly growing loads supply exactly the stored energy"),
+];
+
+/// Refuses settings that the method ignores: those other than their default, and those that `is_given` finds in a file.
+pub fn check_idle(scene: &Scene, is_given: impl Fn(&str) -> bool) -> Check {
+    let (method, default) = (scene.time.method, Time::until(scene.time.end));
+    for Setting { key, is_used, users, value, .. } in SETTINGS {
+        let own = value(&scene.time);
+        if !is_used(method) && (own != value(&default) || is_given(key)) {
+            return idle(key, own, method, users);
+        }
+    }
+    let of_statics = IDLE_IN_STATICS.iter().find(|(key, _)| method == Method::Static && is_given(key));
+    of_statics.map_or(Ok(()), |(key, users)| idle(key, "given".into(), method, users))
+}
+
+fn idle(key: &str, value: String, method: Method, users: &str) -> Check {
+    let allowed = format!("nothing with the method \"{method}\", which has no use for it: {users}");
+    Err(Refusal { key: key.into(), value, allowed })
+}
