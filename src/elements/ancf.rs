@@ -67,9 +67,9 @@ impl Ancf {
         Ancf { t, n, per_length: 1.0 / l, points, law, half_height: 0.5 * h }
     }
 
-    /// Makes the element compute Poisson's terms even where they are zero.
-    pub fn with_poissons_terms(mut self, Law { lame, poisson }: Law, h: f64, w: f64) -> Ancf {
-        self.law.coupling = Some(SectionLaw::coupling(lame.lambda, poisson, w * h, w * h.powi(3) / 12.0));
+    /// Makes the element compute the Poisson's terms of its law even where they are zero.
+    pub fn with_poissons_terms(mut self, law: Law, h: f64, w: f64) -> Ancf {
+        self.law.coupling = SectionLaw::coupling(law, h, w);
         self
     }
 

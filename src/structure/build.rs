@@ -94,8 +94,8 @@ impl Structure {
         Ok(structure)
     }
 
-    /// Force of a unit strain on each unknown, summed over the elements that meet there: (λ + 2μ)A or EA + 12EI/l² for
-    /// a position, times l for a slope.
+    /// Force of a unit strain on each unknown, summed over the elements that meet there: (λ + 2μ)A, EA or EA + 12EI/l²
+    /// for a position, times l for a slope.
     fn unit_forces(&self) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
         for rod in &*self.rods {
