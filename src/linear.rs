@@ -10,6 +10,7 @@ mod condensed;
 mod frontal;
 mod lanczos;
 mod layout;
+mod modes;
 mod number;
 
 pub use band::{BandLu, BandMatrix};
@@ -19,6 +20,7 @@ pub use condensed::CondensedFactors;
 pub use frontal::{Chain, FrontalChain, NO_UNKNOWN};
 pub use lanczos::{Pencil, largest_eigenvalue};
 pub use layout::{BlockLayout, Layout};
+pub use modes::{Modes, smallest_modes};
 pub use number::Number;
 
 use nalgebra::DVector;

@@ -2,6 +2,7 @@
 
 mod heat;
 mod history;
+mod imperfection;
 mod loads;
 mod motion;
 mod probes;
@@ -17,6 +18,7 @@ use super::choice::{Constraints, Element, Form, Law, Method, Poisson};
 use super::rod::{Material, Rod, Section};
 use super::scene::Scene;
 use heat::check_heat;
+use imperfection::check_imperfection;
 use loads::check_loads;
 use motion::check_motion;
 use probes::check_probes;
@@ -47,6 +49,7 @@ pub fn check(scene: &Scene) -> Check {
     check_heat(scene)?;
     check_constraints(scene)?;
     check_form(scene)?;
+    check_imperfection(scene)?;
     check_time(scene)?;
     check_statics(scene)?;
     check_motion(scene)?;

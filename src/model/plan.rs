@@ -61,7 +61,10 @@ impl Plan {
     pub fn parts(&self, scene: &Scene) -> Vec<Part> {
         let part = |what, computed, why: &str| Part { what, computed, why: why.into() };
         let explicit = scene.time.method.is_explicit();
-        vec![
+        let deviated = scene.imperfection.iter().map(|_| {
+            part("stress of the deviated shape, −A e", true, "`imperfection` makes that shape free of stress")
+        });
+        let mut parts = vec![
             part(
                 "thermal strains and the work of heating",
                 self.heat,
@@ -126,7 +129,9 @@ impl Plan {
                     (false, false) => "an earlier tangent serves as long as the residual shrinks fast with it",
                 },
             ),
-        ]
+        ];
+        parts.extend(deviated);
+        parts
     }
 }
 

@@ -136,6 +136,7 @@ fn uniform<B: Beam<14> + Debug + Send + Sync + 'static>(
         gravity: inertia::Q_w_gravity(&Vector2::from(scene.gravity), material.rho, &element),
         unit_force: law(rod, material).stiff() * section.height * section.width,
         places: Vec::new(),
+        deviations: Vec::new(),
     })
 }
 
@@ -166,5 +167,6 @@ fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>) -> Box<
         // Moving an end across by l also bends an element, with more force than its tension if it is higher than long.
         unit_force: tension + 12.0 * bending / (l * l),
         places: Vec::new(),
+        deviations: Vec::new(),
     })
 }

@@ -155,6 +155,13 @@ impl SectionLaw {
 /// Second derivative of a section's energy: blocks in p, δ and κ.
 pub(super) type Stiffness = [[Block; 3]; 3];
 
+/// Second derivative of the strains in p, δ and κ, contracted with the forces `N`: factors of unit matrices.
+#[inline(always)]
+pub(super) fn geometric(N: &Resultants<f64>) -> [[f64; 3]; 3] {
+    let Resultants { a, c, g } = *N;
+    [[a[0], g[0], a[1]], [g[0], c, g[1]], [a[1], g[1], a[2]]]
+}
+
 impl<V: Vector> Section<V> {
     #[inline(always)]
     pub fn midpoint(&self, other: &Self) -> Self {
@@ -189,7 +196,7 @@ impl Section<Vec2> {
         let (r_1, d_1, k_1) = (other.r_x, other.d, other.kappa);
         let SectionLaw { axial: EA, bending: [EI, EI_4], shear: [GA, GI], coupling } = *law;
         let [EA, EI, EI_4, GA, GI] = [EA, EI, EI_4, GA, GI].map(|stiffness| weight * stiffness);
-        let Resultants { a, c, g } = N.map(|force| weight * force);
+        let N = N.map(|force| weight * force);
         let outer = Block::outer;
         let pk = outer(EI, k, r_1) + outer(EI, r, k_1);
         let mut H = [
@@ -203,8 +210,7 @@ impl Section<Vec2> {
             H[2][1] = H[2][1] + outer(across, k, d_1);
             H[1][2] = H[1][2] + outer(across, d, k_1);
         }
-        let geometric = [[a[0], g[0], a[1]], [g[0], c, g[1]], [a[1], g[1], a[2]]];
-        for (row, geometric) in H.iter_mut().zip(geometric) {
+        for (row, geometric) in H.iter_mut().zip(geometric(&N)) {
             for (block, geometric) in row.iter_mut().zip(geometric) {
                 *block = *block + Block::identity(geometric);
             }
