@@ -6,9 +6,10 @@
 //!
 //! U = U₀ − ½ (eᵀA e − e₀ᵀA e₀) + ε_T · ∫ D E_dev dV + ½ ∫ E_devᵀ D E_dev dV,  Q_e = Q_e0 − A e,  ∂Q_e/∂e = K_0 − A,
 //!
-//! where U₀, Q_e0, K_0 are those of the straight element. Green–Lagrange strains do not change with a rotation of the moving
-//! rod, and so nor does U: the deviated element can be moved rigidly without a force. The mid-point force of a step with averaged
-//! stresses is that of the straight element less A (e₀ + e₁)/2, whose work is exactly the change of −½ eᵀA e. (`oracle/proofs/imperfection.py` proves each of these.)
+//! where U₀, Q_e0, K_0 are those of the straight element (the law of (16) as well as others: A has the element's own moduli).
+//! Green–Lagrange strains do not change with a rotation of the moving rod, and so nor does U: the deviated element can be moved
+//! rigidly without a force. The mean force of a step with averaged stresses is that of the straight element less A e in the
+//! middle of the step, whose work is exactly the change of −½ eᵀA e. `oracle/proofs/imperfection.py` proves each of these.
 
 #![allow(non_snake_case)] // A is the matrix of the derivation.
 
