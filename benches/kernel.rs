@@ -112,7 +112,7 @@ fn main() {
     let element = Element::straight(L, H, H, THETA);
     let case = Case::new(element.e_0);
     let lame = LameConstants::from(YoungPoisson { E, nu: NU });
-    let beam = Ancf::new(L, H, H, THETA, Law { lame, poisson: Poisson::Full });
+    let beam = Ancf::new(L, H, H, THETA, Law::PlaneStrain { lame, poisson: Poisson::Full });
     let paper = Paper { element, lame, eps_T: Vector3::new(HEAT, HEAT, 0.0) };
     let e = case.e_0 + case.u[0];
     same("ancf", beam.force(&case.u[0], case.eps_T).as_slice(), paper.force(&e).as_slice());

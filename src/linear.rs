@@ -11,6 +11,7 @@ mod frontal;
 mod lanczos;
 mod layout;
 mod ldlt;
+mod modes;
 mod number;
 
 pub use band::{BandLu, BandMatrix};
@@ -20,6 +21,7 @@ pub use condensed::CondensedFactors;
 pub use frontal::{Chain, FrontalChain, NO_UNKNOWN};
 pub use lanczos::{Pencil, largest_eigenvalue};
 pub use layout::{BlockLayout, Layout};
+pub use modes::{Modes, smallest_modes};
 pub use number::Number;
 
 use nalgebra::DVector;

@@ -17,6 +17,7 @@ mod build;
 mod collapse;
 mod constraint_row;
 mod constraints;
+mod deviation;
 mod element_dofs;
 mod frequency;
 mod growth;
@@ -98,7 +99,7 @@ impl Structure {
         self.kinds.len()
     }
 
-    /// Displacement at t = 0: zero, or the stress-free stretch of a relaxed start.
+    /// Displacement at t = 0: zero, the stress-free stretch of a relaxed start, or the deviation of an imperfection.
     pub fn start(&self) -> &DVector<f64> {
         &self.start
     }

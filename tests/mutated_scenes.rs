@@ -13,7 +13,7 @@ use proptest::test_runner::{RngAlgorithm, TestRng};
 const ALL: &str = r#"{"schema": "ancf-scene/1", "title": "all", "notes": ["α ΔT"],
  "material": {"E": 7e10, "nu": 0.3, "rho": 2750.0, "alpha": 2.3e-5}, "section": {"height": 0.02, "width": 0.02},
  "points": {"a": [0, 0], "b": [1, 1], "c": [1, 0], "d": [0, 1]},
- "rods": [{"name": "ab", "from": "a", "to": "b", "pivot": "m", "elements": 2, "poisson": "axis",
+ "rods": [{"name": "ab", "from": "a", "to": "b", "pivot": "m", "elements": 2, "poisson": "axis", "law": "plane-strain",
            "temperature": {"model": "2d", "start": "sudden", "history": [[0, 0], [0.1, 50]]}},
           {"name": "cd", "from": "c", "to": "d", "pivot": "m", "elements": 4, "element": "euler-bernoulli",
            "material": {"E": 1e9, "nu": 0, "rho": 1000}, "section": {"height": 0.01, "width": 0.03}}],

@@ -8,7 +8,7 @@ use ancf::internals::model::Plan;
 use ancf::internals::model::builtin_names;
 use ancf::internals::run::run_planned;
 use ancf::internals::structure::{Factors, Matrix, Structure};
-use ancf::model::{Element, Method, Quantity, Scene, Start, Temperature, ThermalModel};
+use ancf::model::{Element, Law, Method, Quantity, Scene, Start, Temperature, ThermalModel};
 use ancf::run::{Run, run};
 use common::motion::probe;
 use nalgebra::DVector;
@@ -132,6 +132,8 @@ fn what_a_change_asks_for() {
     assert_eq!(changed(&|scene| scene.temperature = Some(heat(ThermalModel::None))), none);
     assert_eq!(changed(&|scene| scene.material.nu = 0.3), Plan { poisson: true, ..none });
     assert_eq!(changed(&|scene| scene.material.nu = -0.1), Plan { poisson: true, ..none });
+    let of_strut = |scene: &mut Scene| (scene.material.nu, scene.rods[0].law) = (0.3, Law::Uniaxial);
+    assert_eq!(changed(&of_strut), none);
     let own = |scene: &mut Scene| {
         scene.rods[0].material = Some(scene.material.clone());
         scene.material.nu = 0.3;
@@ -178,6 +180,12 @@ fn elastic_scenes() -> Vec<Scene> {
     let mut axis = Scene::builtin("pendulum-flexible").unwrap();
     (axis.rods[0].poisson, axis.rods[0].elements) = (ancf::model::Poisson::Axis, 2);
     scenes.push(axis);
+    // Plane strain beside a strut.
+    let mut mixed = Scene::builtin("scissors-3").unwrap();
+    mixed.material.nu = 0.3;
+    mixed.rods.iter_mut().for_each(|rod| rod.elements = 2);
+    mixed.rods[1].law = Law::Uniaxial;
+    scenes.push(mixed);
     scenes
 }
 

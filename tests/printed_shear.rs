@@ -170,7 +170,7 @@ fn only_the_papers_element_is_printed() {
         )
     };
     assert!(Model::parse(&text(r#""elements": 2"#), "scene").is_ok());
-    for rod in [r#""element": "euler-bernoulli""#, r#""poisson": "axis""#] {
+    for rod in [r#""element": "euler-bernoulli""#, r#""poisson": "axis""#, r#""law": "uniaxial""#] {
         let message = Model::parse(&text(rod), "scene").unwrap_err().to_string();
         assert!(message.contains("form") && message.contains("`rod`"), "{message}");
     }

@@ -5,7 +5,7 @@ mod common;
 
 use ancf::error::Error;
 use ancf::internals::structure::Structure;
-use ancf::model::{Constraints, Element, Method, Poisson, Rod, Scene, Support};
+use ancf::model::{Constraints, Element, Law, Material, Method, Poisson, Rod, Scene, Support};
 use ancf::run::run;
 use nalgebra::{DVector, Rotation2, Vector2};
 
@@ -291,9 +291,33 @@ fn locking_is_warned_of() {
     };
     let locked = warnings(0.3, |_| {});
     assert!(locked.len() == 1 && locked[0].contains("81.6 %") && locked[0].contains("`rod`"), "{locked:?}");
+    assert!(locked[0].contains("\"poisson\": \"axis\"") && locked[0].contains("\"law\": \"uniaxial\""), "{locked:?}");
     assert!(warnings(0.0, |_| {}).is_empty());
     assert!(warnings(0.3, |rod| rod.poisson = Poisson::Axis).is_empty());
+    assert!(warnings(0.3, |rod| rod.law = Law::Uniaxial).is_empty());
     assert!(warnings(0.3, |rod| rod.element = Element::EulerBernoulli).is_empty());
+}
+
+/// The warning about locking names every rod that locks, those of one ν together, and no other.
+#[test]
+fn locking_is_warned_of_rod_by_rod() {
+    let mut scene = knee();
+    scene.material.nu = 0.3;
+    let mut more = scene.rods.clone();
+    for (rod, (name, nu)) in more.iter_mut().zip([("third", 0.25), ("fourth", 0.0)]) {
+        (rod.name, rod.material) = (name.into(), Some(Material::new(2e8, nu, 7200.0)));
+    }
+    scene.rods.extend(more);
+    (scene.time.step, scene.time.end, scene.output.interval) = (1e-3, 2e-3, None);
+    let warnings = run(&scene).unwrap().warnings;
+    let locking = warnings.iter().find(|warning| warning.contains("locks")).unwrap();
+    let names: Vec<String> = scene.rods[..2].iter().map(|rod| format!("`{}`", rod.name)).collect();
+    assert!(
+        locking.contains(&format!("with nu = 0.3 each of the slender rods {} bends by only 81.6 %", names.join(", "))),
+        "{locking}"
+    );
+    assert!(locking.contains("with nu = 0.25 the slender rod `third` bends by only 88.9 %"), "{locking}");
+    assert!(!locking.contains("fourth"), "{locking}");
 }
 
 /// The length of a slide's direction says nothing, however large or small.

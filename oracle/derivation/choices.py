@@ -104,7 +104,16 @@ def write(page):
     page.formula(Quotient(Quotient(E, 1 - nu**2), lambda_of + 2 * mu_of), Quotient(1 - 2 * nu, (1 - nu)**2),
                  how="Both sides are computed; the constants on the left are those derived in (17).")
     page.words("""It is one at {zero}. The remedy, an option here, lets Poisson's terms act on the axis alone
-        ([`axis`](../src/equations/axis.rs)).""", zero=Symbol(r"\nu = 0", 0))
+        ([`axis`](../src/equations/axis.rs)). The rod is then a strip of a wide plate, held across the plane.""",
+               zero=Symbol(r"\nu = 0", 0))
+    page.words("""A strut is not held: its sides are free, and its fibres resist with Young's modulus alone. Another
+        option, the *uniaxial* law ([`uniaxial`](../src/equations/uniaxial.rs)), gives this modulus to both directions
+        of the rod's own axes, without Poisson's contraction, and the shear modulus to the angle between them. It
+        does not lock. A slender rod deflects less in plane strain than by this law, and less still in the element
+        of the paper, by the ratios""")
+    page.formulas_of([(Quotient(E, Quotient(E, 1 - nu**2)), 1 - nu**2),
+                      (Quotient(E, lambda_of + 2 * mu_of), Quotient((1 + nu) * (1 - 2 * nu), 1 - nu))],
+                     how="All sides are computed; the constants on the left are those derived in (17).")
 
     page.section("", "M4 Slender rods in large bending converge slowly")
     page.words("""A slender rod bends without stretching: the axis has to shorten along the chord as it deflects.

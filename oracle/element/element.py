@@ -179,6 +179,24 @@ class Element:
         # A density that is uniform over the section integrates to h w times its integral along the axis.
         return self.integral(density(eps, self.D_0) + density(on_axis, self.D_own - self.D_0))
 
+    # Uniaxial stress in both directions, beyond the paper: a law for struts.
+
+    @cached_property
+    def D_uniaxial(self):
+        """Elasticity matrix for strains (11, 22, 2 12) of fibres along and across that do not contract: diag(E, E, G).
+
+        Each normal stress is that of a bar, sigma = E eps. The shear modulus is found as that of an isotropic body:
+        a shear g is the stretch g/2 and the compression g/2 of the diagonals, so it takes the stress
+        sigma = E/(1 + nu) g/2 by Hooke's law (1 + nu) sigma/E = g/2.
+        """
+        fibre, shear = self.state.E, self.state.E / (1 + self.state.nu) / 2
+        return fmpq_mat([[fibre, 0, 0], [0, fibre, 0], [0, 0, shear]])
+
+    @cached_property
+    def energy_uniaxial(self):
+        """int E (eps_11^2 + eps_22^2)/2 + G (2 eps_12)^2/2 dV in the rod's own axes, for arbitrary e."""
+        return self.integral(sum(self.D_uniaxial[k, k] / 2 * eps**2 for k, eps in enumerate(self.own(self.generic_strain))))
+
     @cached_property
     def energy(self):
         """U for arbitrary e."""

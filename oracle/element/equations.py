@@ -33,6 +33,8 @@ CONVENTIONS = {
             "with D_0 = diag(E*, E*, mu), E* = E/(1 - nu^2), "
             "D = [[lambda + 2 mu, lambda, 0], [lambda, lambda + 2 mu, 0], [0, 0, mu]]. At nu = 0 it and its "
             "derivatives are those of 18.U; where the gradient is uniform over the element, axis.U and axis.Q_e are.",
+    "uniaxial": "beyond the paper: uniaxial.U = 1/2 int epsilon^T D epsilon dV with axis.epsilon and "
+                "D = diag(E, E, G), G = E/(2 (1 + nu)): no Poisson contraction. At nu = 0 it is 18.U.",
     "printed": "as the paper prints it where it is wrong: E1 in A.3, E2 in 21.K_3, E3 in printed-shear, "
                "whose energy counts the shear strain once (2 mu for 4 mu); its K uses the consistent K_3.",
     "tags": "each is explained under `tags`; what a state is there for comes first.",

@@ -214,4 +214,10 @@ QUANTITIES = {
     "axis.Q_e": Quantity("its derivative", (DOF,), NODAL_FORCE, lambda el: el.force(el.energy_axis)),
     "axis.tangent": Quantity("its second derivative", SQUARE, NODAL_STIFFNESS,
                              lambda el: el.tangent(el.energy_axis)),
+    "uniaxial.D": Quantity("stress from (11, 22, 2 12) of the uniaxial law: diag(E, E, G), G = E/(2 (1 + nu))", (3, 3),
+                           "Pa", lambda el: el.D_uniaxial.tolist()),
+    "uniaxial.U": Quantity("strain energy of the uniaxial law", (), "J", lambda el: el.at_state(el.energy_uniaxial)),
+    "uniaxial.Q_e": Quantity("its derivative", (DOF,), NODAL_FORCE, lambda el: el.force(el.energy_uniaxial)),
+    "uniaxial.tangent": Quantity("its second derivative", SQUARE, NODAL_STIFFNESS,
+                                 lambda el: el.tangent(el.energy_uniaxial)),
 }

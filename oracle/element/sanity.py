@@ -23,6 +23,7 @@ def demand(state, values):
         K = fmpq_mat(values["20.K" + form])
         assert K == K.transpose() and K * e == column(values["19.Q_e" + form]), "K(e) e must be the force"
     demand_of_axis(state, values)
+    demand_of_uniaxial(state, values)
     for k in range(len(state.points)):
         demand_at_point(state, lambda name, k=k: values[name][k])
     if "rest" in state.tags:
@@ -65,6 +66,22 @@ def demand_of_axis(state, values):
                     for name in ("3.S_x", "3.S_y"))
         metric = [sum(u * v for u, v in zip(*pair)) for pair in ((r_x, r_x), (r_y, r_y), (r_x, r_y))]
         assert eps == [(metric[0] - 1) / 2 - heat[0], (metric[1] - 1) / 2 - heat[1], metric[2]]
+
+
+def demand_of_uniaxial(state, values):
+    """Asserts the identities of the uniaxial energy: those of any energy, and its relation to 18.U and to a bar's."""
+    names = ("U", "Q_e", "tangent")
+    own, full = ([values[name] for name in form] for form in (
+        [f"uniaxial.{name}" for name in names], ["18.U", "19.Q_e", "tangent.dQ_e"]))
+    demand_of_force(state, *own)
+    turned, turned_force = (column(quarter_turn(vector)) for vector in (state.e, own[1]))
+    assert fmpq_mat(own[2]) * turned == turned_force, "a turn must turn the force"
+    assert state.nu != 0 or own == full, "at nu = 0 both energies must be equal"
+    # Any uniform strain: the energy is that of two bars and a shear spring, with the strain at any point.
+    if {"rest", "rigid", "uniform", "stress-free", "blocked", "uniaxial"} & set(state.tags):
+        along, across, shear = values["axis.epsilon"][0]
+        volume, G = state.l * state.h * state.w, values["17.mu"]
+        assert own[0] == volume * (state.E * (along**2 + across**2) + G * shear**2) / 2
 
 
 def demand_at_point(state, at):

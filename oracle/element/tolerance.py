@@ -182,6 +182,10 @@ TERMS = {
     "axis.U": _energy,
     "axis.Q_e": _force,
     "axis.tangent": _stiffness,
+    "uniaxial.D": _law,
+    "uniaxial.U": _energy,
+    "uniaxial.Q_e": _force,
+    "uniaxial.tangent": _stiffness,
 }
 
 

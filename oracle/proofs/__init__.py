@@ -11,7 +11,9 @@ from .energy import (
     printed_K_3_loads_an_undeformed_element,
     printed_shear_depends_on_the_frame,
     printed_shear_softens_an_inclined_rod,
+    the_uniaxial_law_is_that_of_a_strut,
 )
+from .imperfection import deviation_is_a_constant_stiffness
 from .interpolation import (
     a_1_is_misprinted,
     coefficients_start_at_zero,
@@ -31,5 +33,7 @@ PROOFS = (
     five_by_three_points_are_exact,
     force_and_tangent_are_differences,
     poisson_on_the_axis_frees_the_thickness,
+    the_uniaxial_law_is_that_of_a_strut,
+    deviation_is_a_constant_stiffness,
     printed_constraint_force_has_no_meaning,
 )

@@ -188,3 +188,27 @@ def poisson_on_the_axis_frees_the_thickness():
             assert curvature(energy, *stretch) == stiffness * volume
     ratio = float(to_sympy((1 - nu) ** 2 / (1 - 2 * nu)))
     return f"axis: in bending at nu = 0.3 the consistent element is {ratio:.4f} times too stiff; axis.U is not"
+
+
+def the_uniaxial_law_is_that_of_a_strut():
+    """Second derivative of the uniaxial U at rest: E A l in stretch, E I l in bending, G A l in shear.
+
+    With E I the bending stiffness is 1 - nu^2 of plane strain's (E* I), so that a slender strut deflects 1/(1 - nu^2) times as
+    far. A stretch takes no thickening along: the two directions are not coupled.
+    """
+    state = next(state for state in states() if state.id == "rest-vertical")
+    element = Element(state)
+    nu, A_l = state.nu, state.w * state.h * state.l
+    shear = state.E / (2 * (1 + nu))
+    motions = {"stretch": ((1, 0), (0, 0)), "thicken": ((0, 0), (0, 1)), "shear": ((0, 1), (0, 0)),
+               "bend": ((0, 0), (0, 0), (-1, 0), (0, Q(1, 2)))}
+    expected = {"stretch": state.E * A_l, "thicken": state.E * A_l, "shear": shear * A_l,
+                "bend": state.E * A_l * state.h**2 / 12}
+    tangent = element.tangent(element.energy_uniaxial)
+    rates = {name: nodes(state.l, field_in(state.direction, (0, 0), *own)) for name, own in motions.items()}
+    for one, a in rates.items():
+        for other, b in rates.items():
+            found = sum(u * k * v for u, row in zip(a, tangent) for k, v in zip(row, b))
+            assert found == (expected[one] if one == other else 0), (one, other)
+    ratio = float(to_sympy(1 / (1 - nu**2)))
+    return f"uniaxial: E A, E I and G A of a strut; it bends {ratio:.4f} times as far as plane strain at nu = {float(to_sympy(nu))}"

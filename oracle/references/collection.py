@@ -12,11 +12,11 @@ import mpmath
 import sympy
 
 from ..fixtures import fixture
-from . import circle, director, elastica, frequency, heated_rod, reissner, timoshenko
+from . import circle, director, elastica, frequency, heated_rod, imperfection, reissner, timoshenko
 
 FILE = "references.json"
 
-PROBLEMS = (elastica, reissner, director, timoshenko, circle, heated_rod, frequency)
+PROBLEMS = (elastica, reissner, director, timoshenko, circle, heated_rod, frequency, imperfection)
 
 
 def generate():
@@ -43,7 +43,7 @@ def generate():
             "agreement": "a bound of the methods' relative distance, asserted when this file is written; of a value "
             "below 1e-9 times the largest of its entry the bound is of that largest; null for a closed form",
             "symbols": "L length, h height, w width, E modulus, nu Poisson's ratio, G = E/(2 (1 + nu)), A = w h, "
-            "I = w h^3/12, k shear correction factor, rho density, alpha expansion, dT heating",
+            "I = w h^3/12, k shear correction factor, a amplitude of a stress-free bow at the start, rho density, alpha expansion, dT heating",
             "k": "null: rigid in shear",
             "stretch": "length over initial length: of the paper's element without stress the root of 1 + 2 alpha dT, as its "
             "strain is Green and Lagrange's; of Euler and Bernoulli's 1 + alpha dT",

@@ -18,10 +18,11 @@ mod section;
 use nalgebra::Vector2;
 
 pub use section::Law;
-use section::{Resultants, Section, SectionLaw, Stiffness};
+use section::{Resultants, Section, SectionLaw, Stiffness, geometric};
 
 use super::beam::{Beam, Ends, ThermalStrain};
 use super::collapse::{OUTERMOST, cross, smallest};
+use super::deviation::Deviation;
 use super::lanes::{LANES, each, side_by_side};
 use super::layout::{coordinates, matrix, nodal};
 use super::nodal_vector::Meaning::{Position, SlopeX, SlopeY};
@@ -67,9 +68,9 @@ impl Ancf {
         Ancf { t, n, per_length: 1.0 / l, points, law, half_height: 0.5 * h }
     }
 
-    /// Makes the element compute Poisson's terms even where they are zero.
-    pub fn with_poissons_terms(mut self, Law { lame, poisson }: Law, h: f64, w: f64) -> Ancf {
-        self.law.coupling = Some(SectionLaw::coupling(lame.lambda, poisson, w * h, w * h.powi(3) / 12.0));
+    /// Makes the element compute the Poisson's terms of its law even where they are zero.
+    pub fn with_poissons_terms(mut self, law: Law, h: f64, w: f64) -> Ancf {
+        self.law.coupling = SectionLaw::coupling(law, h, w);
         self
     }
 
@@ -178,6 +179,16 @@ impl Ancf {
                 add_moments(point.zeta, *H, moments);
             }
         }
+    }
+
+    /// Initial coordinates e₀, node i at the origin.
+    fn at_rest(&self) -> Vector14 {
+        let of = |(meaning, at): &NodalVector| match meaning {
+            Position => self.t * (at / self.per_length),
+            SlopeX => self.t,
+            SlopeY => self.n,
+        };
+        Vector14::from_iterator(Self::VECTORS.iter().flat_map(|vector| of(vector).to_array()))
     }
 
     /// Matrix of the element, Σ Bᵀ H B. The coefficient m of δ changes δ by ζᵐ and κ by 2m ζᵐ⁻¹/l.
@@ -295,6 +306,21 @@ impl Beam<14> for Ancf {
             Ancf::add_stiffness(point, &H, &mut moments);
         }
         self.matrix(&moments)
+    }
+
+    /// The strains' second derivatives are constant, so A is the geometric stiffness of the stress D E_dev.
+    fn deviation(&self, u: &Vector14) -> Option<Deviation<14>> {
+        let shape = self.shape_of(u);
+        let mut moments = [[[Block::ZERO; 5]; 3]; 3];
+        let (mut stress, mut energy) = ([0.0; 2], 0.0);
+        for point in &self.points {
+            let (_, strains) = self.section(point, &shape, [0.0; 2]);
+            let N = self.law.forces(&strains).map(|force| point.weight * force);
+            Ancf::add_stiffness(point, &geometric(&N).map(|row| row.map(Block::identity)), &mut moments);
+            stress = [stress[0] + N.a[0], stress[1] + N.c];
+            energy += 0.5 * strains.dot(N);
+        }
+        Some(Deviation::new(self.matrix(&moments), &self.at_rest(), stress, energy))
     }
 
     fn heating_work(&self, ends: &Ends<Vector14>) -> f64 {

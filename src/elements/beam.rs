@@ -4,6 +4,7 @@
 
 use nalgebra::{SMatrix, SVector, Vector2};
 
+use super::deviation::Deviation;
 use super::lanes::LANES;
 use super::nodal_vector::NodalVector;
 
@@ -81,6 +82,12 @@ pub trait Beam<const N: usize> {
 
     /// Derivative of [`mean_force`](Beam::mean_force) with respect to `u_1`; not symmetric.
     fn mean_tangent(&self, ends: &Ends<SVector<f64, N>>) -> SMatrix<f64, N, N>;
+
+    /// Terms that a stress-free deviation by `u` adds. `None` where strains are not quadratic in the coordinates.
+    fn deviation(&self, u: &SVector<f64, N>) -> Option<Deviation<N>> {
+        let _ = u;
+        None
+    }
 
     /// Energy supplied by heating over a step, J: −∫ σ̄ : (ε_T1 − ε_T0) dV with the averaged stress σ̄.
     fn heating_work(&self, ends: &Ends<SVector<f64, N>>) -> f64;

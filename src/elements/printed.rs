@@ -35,7 +35,7 @@ pub struct PrintedShear {
 impl PrintedShear {
     /// Element of length `l`, section `h` × `w` (m), inclination `theta` (rad) and Lamé's constants `lame`.
     pub fn new(l: f64, h: f64, w: f64, theta: f64, lame: LameConstants) -> PrintedShear {
-        let body = Ancf::new(l, h, w, theta, Law { lame, poisson: Poisson::Full });
+        let body = Ancf::new(l, h, w, theta, Law::PlaneStrain { lame, poisson: Poisson::Full });
         PrintedShear { element: Element::straight(l, h, w, theta), theta, lame, body }
     }
 

@@ -9,6 +9,9 @@
 //!
 //! U = ½ ∫_V εᵀ D₀ ε dV + ½ hw ∫ ε(x, 0)ᵀ (D − D₀) ε(x, 0) dx.
 //!
+//! The rod stays one in **plane strain**, a strip of a wide plate: a slender one deflects by 1 − ν² of what a strut with free sides
+//! does, as EI/(1 − ν²) resists it. [`uniaxial`](super::uniaxial) is the law of a strut.
+//!
 //! An alternative to the paper's element, in no equation of the paper. D₀ depends on the frame, so strains are in the
 //! **rod's own axes** here, with the engineering shear: ε = \[ε₁₁, ε₂₂, 2ε₁₂\]ᵀ. At ν = 0, D₀ = D and nothing changes.
 
@@ -41,7 +44,7 @@ pub fn epsilon(x: f64, y: f64, e: &Vector14, eps_T: &Vector3<f64>, l: f64) -> Ve
 }
 
 /// Second derivatives ∂²ε/∂e² of the three strains: S_xᵀS_x, S_yᵀS_y, S_xᵀS_y + S_yᵀS_x. Times e they give ∂ε/∂e, as ε is quadratic.
-fn epsilon_ee(x: f64, y: f64, l: f64) -> [Matrix14; 3] {
+pub(super) fn epsilon_ee(x: f64, y: f64, l: f64) -> [Matrix14; 3] {
     let (S_x, S_y) = (S_x(x, y, l), S_y(x, y, l));
     [S_x.transpose() * S_x, S_y.transpose() * S_y, S_1(&(S_x.transpose() * S_y))]
 }

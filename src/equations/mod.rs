@@ -9,7 +9,7 @@
 //! | (15)–(17) | [`material`]: stress, moduli |
 //! | (18)–(21) | [`force`]: energy, elastic forces, stiffness, tangent |
 //! | (22)–(23) | [`motion`]: one element, a structure |
-//! | beyond the paper | [`axis`]: a cure for locking; [`cable`]: the paper's competitor |
+//! | beyond the paper | [`axis`]: a cure for locking; [`uniaxial`]: a law for struts; [`cable`]: the paper's competitor |
 //!
 //! [`element`] has the element that is integrated over; `volume.rs` the quadrature, `contents.rs` a list of every function by its
 //! number.
@@ -36,6 +36,7 @@ pub mod material;
 pub mod motion;
 pub mod shape;
 pub mod strain;
+pub mod uniaxial;
 pub(crate) mod volume;
 
 /// The paper's numbers and their functions, and the quadrature.

@@ -3,6 +3,7 @@
 mod heat;
 mod history;
 pub mod idle;
+mod imperfection;
 mod loads;
 mod motion;
 mod probes;
@@ -14,11 +15,12 @@ pub mod topology;
 use std::fmt::Display;
 
 use super::check::{Check, finite, positive, require};
-use super::choice::{Constraints, Element, Form, Method, Poisson};
+use super::choice::{Constraints, Element, Form, Law, Method, Poisson};
 use super::rod::{Material, Rod, Section};
 use super::scene::Scene;
 use heat::check_heat;
 use idle::check_idle;
+use imperfection::check_imperfection;
 use loads::check_loads;
 use motion::check_motion;
 use probes::check_probes;
@@ -49,6 +51,7 @@ pub fn check(scene: &Scene) -> Check {
     check_heat(scene)?;
     check_constraints(scene)?;
     check_form(scene)?;
+    check_imperfection(scene)?;
     check_time(scene)?;
     check_idle(scene, |_| false)?;
     check_statics(scene)?;
@@ -91,14 +94,15 @@ fn check_constraints(scene: &Scene) -> Check {
     require(holds, "constraints", "\"multipliers\"", allowed)
 }
 
-/// The printed shear term belongs to the paper's element with Poisson's terms in the whole section.
+/// The printed shear term belongs to the paper's element in plane strain, with Poisson's terms in the whole section.
 fn check_form(scene: &Scene) -> Check {
-    let printed = |rod: &Rod| rod.element == Element::Ancf && rod.poisson == Poisson::Full;
+    let printed =
+        |rod: &Rod| rod.element == Element::Ancf && rod.poisson == Poisson::Full && rod.law == Law::PlaneStrain;
     let other = scene.rods.iter().find(|rod| !printed(rod));
     let holds = scene.form == Form::Consistent || other.is_none();
     let name = other.map_or("", |rod| &rod.name);
     let allowed = format_args!(
-        "\"consistent\"; \"printed-shear\" needs rods with \"element\": \"ancf\" and \"poisson\": \"full\" (not so: `{name}`)"
+        "\"consistent\"; \"printed-shear\" needs rods with \"element\": \"ancf\", \"poisson\": \"full\" and \"law\": \"plane-strain\" (not so: `{name}`)"
     );
     require(holds, "form", "\"printed-shear\"", allowed)
 }

@@ -53,8 +53,23 @@ words! {
         /// In the whole section: the paper's element, which locks for ν ≠ 0.
         #[default]
         Full = "full",
-        /// On the rod's axis only ([`equations::axis`](crate::equations::axis)): cures the locking.
+        /// On the rod's axis only ([`equations::axis`](crate::equations::axis)): cures the locking. The rod stays one in
+        /// plane strain: a slender one deflects by 1 − ν² of what a strut with free sides does (`"law": "uniaxial"`).
         Axis = "axis",
+    }
+}
+
+words! {
+    /// Law between stress and strain of the paper's element.
+    #[derive(Default)]
+    #[non_exhaustive]
+    pub enum Law {
+        /// Plane strain, equation (16): a rod that is held across the plane, as a strip of a wide plate is.
+        #[default]
+        PlaneStrain = "plane-strain",
+        /// Uniaxial stress ([`equations::uniaxial`](crate::equations::uniaxial)): a strut with free sides. E along and
+        /// across, G = E/2(1+ν) in shear, no Poisson contraction; does not lock.
+        Uniaxial = "uniaxial",
     }
 }
 
@@ -64,7 +79,7 @@ words! {
     #[non_exhaustive]
     pub enum ThermalModel {
         /// Along and across the rod: ε_T = αΔT I, equation (8). Euler–Bernoulli elements have no section to heat
-        /// across.
+        /// across; by the law "uniaxial" heat across changes the section's height alone.
         #[default]
         TwoD = "2d",
         /// Along the rod only: ε_T = αΔT t⊗t with the rod's initial direction t.

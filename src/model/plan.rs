@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use super::choice::{Constraints, Form, Method, Quantity};
+use super::choice::{Constraints, Form, Method, Poisson, Quantity};
 use super::scene::Scene;
 
 /// Terms that a run computes.
@@ -61,7 +61,10 @@ impl Plan {
     pub fn parts(&self, scene: &Scene) -> Vec<Part> {
         let part = |what, computed, why: &str| Part { what, computed, why: why.into() };
         let explicit = scene.time.method.is_explicit();
-        vec![
+        let deviated = scene.imperfection.iter().map(|_| {
+            part("stress of the deviated shape, −A e", true, "`imperfection` makes that shape free of stress")
+        });
+        let mut parts = vec![
             part(
                 "thermal strains and the work of heating",
                 self.heat,
@@ -71,9 +74,18 @@ impl Plan {
                 "Poisson's terms, λ tr ε",
                 self.poisson,
                 match (self.poisson, has_poisson(scene)) {
+                    (true, true) if is_axis(scene) => {
+                        "a material has ν ≠ 0; with \"poisson\": \"axis\" they act on the axis, and the rod is one in plane strain: it \
+                         deflects by 1 − ν² of what a strut with free sides does (\"law\": \"uniaxial\")"
+                    }
                     (true, true) => "a material has ν ≠ 0",
                     (true, false) => "the printed form computes every term as it stands",
-                    (false, _) => "every material has ν = 0",
+                    (false, _) if scene.rods.iter().all(|rod| scene.material(rod).nu == 0.0) => {
+                        "every material has ν = 0"
+                    }
+                    (false, _) => {
+                        "rods of ν ≠ 0 have none: they follow the law \"uniaxial\", or are Euler–Bernoulli elements"
+                    }
                 },
             ),
             part("weight, Q_w", self.weight, if self.weight { "there is `gravity`" } else { "there is no `gravity`" }),
@@ -117,13 +129,20 @@ impl Plan {
                     (false, false) => "an earlier tangent serves as long as the residual shrinks fast with it",
                 },
             ),
-        ]
+        ];
+        parts.extend(deviated);
+        parts
     }
 }
 
-/// Whether a material has ν ≠ 0.
+/// Whether a rod has Poisson's terms.
 fn has_poisson(scene: &Scene) -> bool {
-    scene.rods.iter().any(|rod| scene.material(rod).nu != 0.0)
+    scene.rods.iter().any(|rod| rod.has_poissons_terms(scene.material(rod)))
+}
+
+/// Whether Poisson's terms act on the axis of a rod.
+fn is_axis(scene: &Scene) -> bool {
+    scene.rods.iter().any(|rod| rod.poisson == Poisson::Axis && rod.has_poissons_terms(scene.material(rod)))
 }
 
 /// One term of a plan, in words.

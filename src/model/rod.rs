@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::choice::{Element, Poisson, is_default};
+use super::choice::{Element, Law, Poisson, is_default};
 use super::heat::Temperature;
 use super::json::shape;
 
@@ -102,6 +102,9 @@ pub struct Rod {
     /// Where Poisson's terms act in the paper's element.
     #[serde(default, skip_serializing_if = "is_default")]
     pub poisson: Poisson,
+    /// Law between stress and strain of the paper's element.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub law: Law,
     /// Name of the pivot, a point at the rod's middle; rods with the same pivot are pinned together there. The paper's
     /// element has a node there for even and odd numbers of elements.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
@@ -131,6 +134,7 @@ impl Rod {
             elements: default_elements(),
             element: Element::default(),
             poisson: Poisson::default(),
+            law: Law::default(),
             pivot: None,
             material: None,
             section: None,
@@ -157,6 +161,11 @@ impl Rod {
     pub fn temperature(mut self, temperature: Temperature) -> Rod {
         self.temperature = Some(temperature);
         self
+    }
+
+    /// Whether Poisson's terms act in the rod: of the paper's element, in plane strain, at ν ≠ 0.
+    pub(crate) fn has_poissons_terms(&self, material: &Material) -> bool {
+        self.element == Element::Ancf && self.law == Law::PlaneStrain && material.nu != 0.0
     }
 
     /// Whether the rod has a node at the point: one of its ends, or its pivot.

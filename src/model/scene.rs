@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::choice::{Constraints, Form, Method, Schema, ThermalModel, is_default};
 use super::heat::Temperature;
+use super::imperfection::Imperfection;
 use super::json::shape;
 use super::loads::Force;
 use super::method_settings::drop_idle;
@@ -73,6 +74,9 @@ pub struct Scene {
     /// Initial rigid motion; `None`: at rest.
     #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
     pub motion: Option<Motion>,
+    /// Stress-free deviation of the initial shape, in which the structure starts; `None`: rods are straight.
+    #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
+    pub imperfection: Option<Imperfection>,
     /// How pins and supports are enforced.
     #[serde(default)]
     pub constraints: Constraints,
@@ -114,6 +118,7 @@ impl Scene {
             gravity: [0.0; 2],
             temperature: None,
             motion: None,
+            imperfection: None,
             constraints: Constraints::default(),
             form: Form::default(),
             time: Time::until(1.0),

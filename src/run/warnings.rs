@@ -1,7 +1,7 @@
 //! Warnings about a scene itself.
 
 use super::unresolved_loads::unresolved_load;
-use crate::model::{Element, Form, Method, Poisson, Rod, Scene, Start};
+use crate::model::{Form, Method, Poisson, Rod, Scene, Start};
 use crate::structure::Structure;
 
 /// Steps per crossing of an element by the axial wave below which a heat shock is poorly resolved, by the method's
@@ -41,18 +41,32 @@ fn unresolved_load_warning(scene: &Scene) -> Option<String> {
     })
 }
 
-/// Warning about locking: rods of the paper's element with ν ≠ 0 are too stiff in bending, for any mesh.
+/// Warning about locking: rods of the paper's element with ν ≠ 0 are too stiff in bending, for any mesh. Rods of one ν are
+/// named together.
 fn locking_warning(scene: &Scene) -> Option<String> {
-    let locks =
-        |rod: &&Rod| rod.element == Element::Ancf && rod.poisson == Poisson::Full && scene.material(rod).nu != 0.0;
-    let rod = scene.rods.iter().find(locks)?;
-    let nu = scene.material(rod).nu;
-    let share = 100.0 * (1.0 - 2.0 * nu) / (1.0 - nu).powi(2);
-    Some(format!(
-        "with nu = {nu} the paper's element locks: a slender rod bends by only {share:.1} % of the correct deflection (rod `{}`); \
-         \"poisson\": \"axis\" cures it",
-        rod.name
-    ))
+    let locks = |rod: &&Rod| rod.has_poissons_terms(scene.material(rod)) && rod.poisson == Poisson::Full;
+    let mut groups: Vec<(f64, Vec<String>)> = Vec::new();
+    for rod in scene.rods.iter().filter(locks) {
+        let (nu, name) = (scene.material(rod).nu, format!("`{}`", rod.name));
+        match groups.iter_mut().find(|(other, _)| *other == nu) {
+            Some((_, names)) => names.push(name),
+            None => groups.push((nu, vec![name])),
+        }
+    }
+    let bends = |(nu, names): &(f64, Vec<String>)| {
+        let share = 100.0 * (1.0 - 2.0 * nu) / (1.0 - nu).powi(2);
+        let rods = if names.len() == 1 { "the slender rod" } else { "each of the slender rods" };
+        format!("with nu = {nu} {rods} {} bends by only {share:.1} % of plane strain's deflection", names.join(", "))
+    };
+    let of_groups: Vec<String> = groups.iter().map(bends).collect();
+    let form = if scene.form == Form::Consistent { "" } else { ", with \"form\": \"consistent\"" };
+    (!groups.is_empty()).then(|| {
+        format!(
+            "the paper's element locks: {}; \"poisson\": \"axis\" cures it for rods in plane strain (strips of a wide plate), \"law\": \
+             \"uniaxial\" for struts, whose sides are free and which deflect by 1/(1 - nu^2) of plane strain's deflection{form}",
+            of_groups.join("; ")
+        )
+    })
 }
 
 /// Warning about the printed shear term, with which a rod's stiffness depends on its inclination.

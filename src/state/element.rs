@@ -1,4 +1,5 @@
-//! The paper's element in one state: the value of every equation (1)–(22) and (A.1)–(A.5), and of [`axis`].
+//! The paper's element in one state: the value of every equation (1)–(22) and (A.1)–(A.5), of [`axis`] and of
+//! [`uniaxial`].
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
@@ -9,7 +10,7 @@ use super::entries::rows;
 use crate::equations::element::{Element, Matrix14};
 use crate::equations::material::LameConstants;
 use crate::equations::shape::Vector14;
-use crate::equations::{axis, force, inertia, material, motion, shape, strain};
+use crate::equations::{axis, force, inertia, material, motion, shape, strain, uniaxial};
 use crate::model::ThermalModel;
 
 impl ElementState {
@@ -144,6 +145,10 @@ pub fn evaluate(quantity: &str, state: &ElementState) -> Option<Vec<f64>> {
         "axis.U" => Some(vec![axis::U(&e, &eps_T_own, moduli, &element)]),
         "axis.Q_e" => Some(rows(&axis::Q_e(&e, &eps_T_own, moduli, &element))),
         "axis.tangent" => Some(rows(&axis::tangent(&e, &eps_T_own, moduli, &element))),
+        "uniaxial.D" => Some(rows(&uniaxial::D(moduli))),
+        "uniaxial.U" => Some(vec![uniaxial::U(&e, &eps_T_own, moduli, &element)]),
+        "uniaxial.Q_e" => Some(rows(&uniaxial::Q_e(&e, &eps_T_own, moduli, &element))),
+        "uniaxial.tangent" => Some(rows(&uniaxial::tangent(&e, &eps_T_own, moduli, &element))),
         "A.1.r" => at_points(&|x, y| rows(&shape::r_polynomial(x, y, &shape::coefficients(&nodes, l)))),
         "A.1.r_x" => at_points(&|x, y| rows(&shape::r_polynomial_x(x, y, &shape::coefficients(&nodes, l)))),
         "A.1.r_y" => at_points(&|x, y| rows(&shape::r_polynomial_y(x, y, &shape::coefficients(&nodes, l)))),

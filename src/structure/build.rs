@@ -6,6 +6,7 @@ use std::sync::Arc;
 use nalgebra::{DVector, Vector2};
 
 use super::constraints::rows;
+use super::deviation::Deviation;
 use super::memory::check_memory;
 use super::point::{Node, Point};
 use super::rod::Rod;
@@ -44,13 +45,25 @@ impl Structure {
         Structure::of(&model.try_into()?, plan)
     }
 
-    /// Builds the structure of a checked model.
+    /// Builds the structure of a checked model. An imperfection needs the straight structure first.
     pub(crate) fn of(model: &Model, plan: &Plan) -> Result<Structure> {
         let scene = model.scene();
+        let Some(imperfection) = &scene.imperfection else { return Structure::assembled(scene, plan, None) };
+        // With multipliers a rod by itself is free, and its stiffness singular: no modes can be computed.
+        let condensed = Scene { constraints: Constraints::Condensed, ..scene.clone() };
+        let deviation = Structure::assembled(&condensed, plan, None)?.deviation(scene, imperfection)?;
+        Structure::assembled(scene, plan, Some(&deviation))
+    }
+
+    /// Structure that starts in a deviated shape, free of stress there.
+    fn assembled(scene: &Scene, plan: &Plan, deviation: Option<&Deviation>) -> Result<Structure> {
         let mut rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, plan)).collect();
         let points = points(scene, &rods);
         if scene.time.method == Method::Static {
             mobility::check(scene, &points, &rods)?;
+        }
+        if let Some(mode) = scene.imperfection.as_ref().and_then(|imperfection| imperfection.mode) {
+            mobility::check(scene, &points, &rods).map_err(|error| no_vibration(error, mode))?;
         }
         let numbering = match scene.constraints {
             Constraints::Condensed => condensed(scene, &points, &mut rods),
@@ -59,6 +72,11 @@ impl Structure {
         let Numbering { layout, kinds, rows } = numbering;
         rods.iter_mut().for_each(|rod| rod.mesh.number(&rod.chain));
         let size = layout.size();
+        let mut start = DVector::zeros(size);
+        if let Some(deviation) = deviation {
+            deviation.set(&rods, &mut start);
+            rods.iter_mut().for_each(|rod| rod.mesh.deviate(&start));
+        }
         let eliminated: usize = rods.iter().map(|rod| rod.elements.saturating_mul(rod.mesh.bytes_each())).sum();
         check_memory(size, layout.border_band, layout.bytes().saturating_add(eliminated))?;
         let mut structure = Structure {
@@ -75,7 +93,7 @@ impl Structure {
             gravity: DVector::zeros(size),
             forces: scene.forces.clone(),
             force_places: Vec::new(),
-            start: DVector::zeros(size),
+            start,
             start_velocity: DVector::zeros(size),
             is_static: scene.time.method == Method::Static,
             times: times(scene),
@@ -94,8 +112,8 @@ impl Structure {
         Ok(structure)
     }
 
-    /// Force of a unit strain on each unknown, summed over the elements that meet there: (λ + 2μ)A or EA + 12EI/l² for
-    /// a position, times l for a slope.
+    /// Force of a unit strain on each unknown, summed over the elements that meet there: (λ + 2μ)A, EA or EA + 12EI/l²
+    /// for a position, times l for a slope.
     fn unit_forces(&self) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
         for rod in &*self.rods {
@@ -148,6 +166,17 @@ impl Structure {
         }
         v
     }
+}
+
+/// Refuses a mode of a mechanism, which moves without a vibration.
+fn no_vibration(error: Error, mode: usize) -> Error {
+    let Error::Drifts { rods } = error else { return error };
+    let allowed = format!(
+        "`rod` in place of `mode`, or supports and pins that hold every rod: this structure can move without a strain (to first \
+         order), rods {rods}, and vibrates about no place"
+    );
+    let (file, key, value) = ("scene".into(), "imperfection.mode".into(), mode.to_string());
+    Error::Scene { file, key, value, allowed }
 }
 
 /// Factors of [`Structure::largest_change`], by unknown: those of the shortest element where several meet.

@@ -2,13 +2,12 @@
 
 use nalgebra::DVector;
 
-use super::rod::Rod;
+use super::rod::{Rod, law};
 use super::rod_elements::ElementMatrix;
 use super::{MassFactors, Structure};
 use crate::elements::{Meaning, ThermalStrain};
-use crate::equations::material::{self, YoungPoisson};
 use crate::linear::{Pencil, SingularAt, largest_eigenvalue};
-use crate::model::{self, Element, Material, Scene};
+use crate::model::{self, Element, Scene};
 
 /// State of a vibrating rod: its stretches minus 1 (along, across) and its thermal strain.
 type RodState = ([f64; 2], ThermalStrain);
@@ -115,13 +114,12 @@ impl Structure {
 
     /// Time in which an axial wave, of speed √((λ + 2μ)/ρ) or √(E/ρ), runs along a rod, s.
     pub fn wave_time(scene: &Scene, rod: &model::Rod) -> f64 {
-        let Material { youngs_modulus, nu, rho, .. } = *scene.material(rod);
-        let moduli = YoungPoisson { E: youngs_modulus, nu };
+        let material = scene.material(rod);
         let stiff = match rod.element {
-            Element::Ancf => material::lambda(moduli) + 2.0 * material::mu(moduli),
-            Element::EulerBernoulli => youngs_modulus,
+            Element::Ancf => law(rod, material).stiff(),
+            Element::EulerBernoulli => material.youngs_modulus,
         };
-        scene.length(rod) / (stiff / rho).sqrt()
+        scene.length(rod) / (stiff / material.rho).sqrt()
     }
 }
 

@@ -10,7 +10,7 @@ use super::uniform_elements::UniformElements;
 use super::unknown_kind::UnknownKind;
 use crate::elements::{Ancf, Beam, Cable, Law, Meaning, NodalVector, PrintedShear, ThermalStrain};
 use crate::equations::element::Element;
-use crate::equations::material::{LameConstants, YoungPoisson};
+use crate::equations::material::YoungPoisson;
 use crate::equations::shape::Vector14;
 use crate::equations::{cable, inertia};
 use crate::model::plan::Plan;
@@ -114,15 +114,14 @@ impl Rod {
 /// The paper's elements of a rod.
 fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
-    let lame = lame(material);
     let (l, h, w, theta) = (along.norm(), section.height, section.width, along.y.atan2(along.x));
     match scene.form {
         Form::Consistent => {
-            let law = Law { lame, poisson: rod.poisson };
+            let law = law(rod, material);
             let beam = Ancf::new(l, h, w, theta, law);
             uniform(if plan.poisson { beam.with_poissons_terms(law, h, w) } else { beam }, scene, rod, along)
         }
-        Form::PrintedShear => uniform(PrintedShear::new(l, h, w, theta, lame), scene, rod, along),
+        Form::PrintedShear => uniform(PrintedShear::new(l, h, w, theta, moduli(material).into()), scene, rod, along),
     }
 }
 
@@ -136,20 +135,27 @@ fn uniform<B: Beam<14> + Debug + Send + Sync + 'static>(
     let (material, section) = (scene.material(rod), scene.section(rod));
     // Mass and weight do not depend on e₀.
     let element = Element { l: along.norm(), h: section.height, w: section.width, e_0: Vector14::zeros() };
-    let LameConstants { lambda, mu } = lame(material);
     Box::new(UniformElements {
         beam,
         along,
         mass: inertia::M(material.rho, &element),
         gravity: inertia::Q_w_gravity(&Vector2::from(scene.gravity), material.rho, &element),
-        unit_force: (lambda + 2.0 * mu) * section.height * section.width,
+        unit_force: law(rod, material).stiff() * section.height * section.width,
         places: Vec::new(),
+        deviations: Vec::new(),
     })
 }
 
-/// Lamé's constants of a material.
-fn lame(material: &model::Material) -> LameConstants {
-    YoungPoisson { E: material.youngs_modulus, nu: material.nu }.into()
+/// Law of a rod of the paper's elements.
+pub(super) fn law(rod: &model::Rod, material: &model::Material) -> Law {
+    match rod.law {
+        model::Law::PlaneStrain => Law::PlaneStrain { lame: moduli(material).into(), poisson: rod.poisson },
+        model::Law::Uniaxial => Law::Uniaxial(moduli(material)),
+    }
+}
+
+fn moduli(material: &model::Material) -> YoungPoisson {
+    YoungPoisson { E: material.youngs_modulus, nu: material.nu }
 }
 
 /// Euler–Bernoulli elements of a rod.
@@ -167,5 +173,6 @@ fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>) -> Box<
         // Moving an end across by l also bends an element, with more force than its tension if it is higher than long.
         unit_force: tension + 12.0 * bending / (l * l),
         places: Vec::new(),
+        deviations: Vec::new(),
     })
 }

@@ -38,6 +38,20 @@ pub(super) enum ElementMatrix<'a> {
     },
 }
 
+impl ElementMatrix<'_> {
+    /// Factor of the stiffness of a constant stress, which no displacement changes. 0 for rods whose stretch is given: they
+    /// are straight.
+    pub fn share_of_stress(&self) -> f64 {
+        match *self {
+            ElementMatrix::Mass | ElementMatrix::Stretched { .. } => 0.0,
+            ElementMatrix::Tangent { stiffness, .. } => stiffness,
+            ElementMatrix::Mixed { .. } => 1.0,
+            // It acts in the middle of the step, and half of that is its end.
+            ElementMatrix::Mean { .. } => 0.5,
+        }
+    }
+}
+
 /// Elements of a rod, of any type.
 pub(super) trait RodElements: Debug + Send + Sync {
     /// Nodal vectors of one element.
@@ -54,6 +68,10 @@ pub(super) trait RodElements: Debug + Send + Sync {
 
     /// Takes the unknowns from the rod's chain of nodal vectors.
     fn number(&mut self, chain: &[NodeDofs]);
+
+    /// Makes the shape at the displacement `u` stress-free; once, after numbering. Only for elements that can be deviated
+    /// ([`Beam::deviation`](crate::elements::Beam::deviation)), as a checked model has them.
+    fn deviate(&mut self, u: &DVector<f64>);
 
     /// Allocates the factors of the rod's matrix; unknowns from `border` on are shared.
     fn chain(&self, border: usize) -> Box<dyn Chain<f64>>;

@@ -8,7 +8,7 @@ use nalgebra::{Complex, DVector, SMatrix, SVector, Vector2};
 use super::element_dofs::{ElementDofs, gather, scatter};
 use super::node_dofs::NodeDofs;
 use super::rod_elements::{ElementMatrix, RodElements, RodInstant};
-use crate::elements::{Beam, Ends, LANES, NodalVector, ThermalStrain};
+use crate::elements::{Beam, Deviation, Ends, LANES, NodalVector, ThermalStrain};
 use crate::linear::{BlockMut, Chain, FrontalChain, NO_UNKNOWN};
 
 /// Equal elements of one type with `N` nodal coordinates each.
@@ -22,6 +22,8 @@ pub(super) struct UniformElements<B, const N: usize> {
     pub unit_force: f64,
     /// Unknowns of the elements; empty until they are numbered.
     pub places: Vec<ElementDofs<N>>,
+    /// Stress-free deviations of the elements; empty for a straight rod.
+    pub deviations: Vec<Deviation<N>>,
 }
 
 impl<B: Beam<N>, const N: usize> UniformElements<B, N> {
@@ -38,7 +40,8 @@ impl<B: Beam<N>, const N: usize> UniformElements<B, N> {
     }
 
     /// Matrix of an element, by columns.
-    fn element_matrix(&self, place: &ElementDofs<N>, matrix: &ElementMatrix, columns: &mut [f64]) {
+    fn element_matrix(&self, element: usize, matrix: &ElementMatrix, columns: &mut [f64]) {
+        let place = &self.places[element];
         let mut put = |stiffness: f64, tangent: &SMatrix<f64, N, N>, mass: f64| {
             for ((entry, tangent), own) in columns.iter_mut().zip(tangent.as_slice()).zip(self.mass.as_slice()) {
                 *entry = tangent * stiffness + own * mass;
@@ -58,6 +61,10 @@ impl<B: Beam<N>, const N: usize> UniformElements<B, N> {
             ElementMatrix::Mean { ref ends, mass } => {
                 put(1.0, &place.over(ends, |ends| self.beam.mean_tangent(ends)), mass);
             }
+        }
+        if let Some(deviation) = self.deviations.get(element) {
+            let less = deviation.stiffness() * matrix.share_of_stress();
+            columns.iter_mut().zip(less.as_slice()).for_each(|(entry, less)| *entry -= less);
         }
         if !place.turns.is_empty() {
             let turned = place.turned(SMatrix::from_column_slice(columns));
@@ -106,6 +113,10 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
         self.places = chain.windows(N / 2).step_by(Self::STRIDE).map(ElementDofs::of).collect();
     }
 
+    fn deviate(&mut self, u: &DVector<f64>) {
+        self.deviations = self.places.iter().filter_map(|place| self.beam.deviation(&place.gather(u))).collect();
+    }
+
     fn chain(&self, border: usize) -> Box<dyn Chain<f64>> {
         Box::new(FrontalChain::<f64, N>::new(self.unknowns(), border))
     }
@@ -147,6 +158,9 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
                 scatter(places, self.beam.forces(&gather(places, u), eps_t), sum);
             }
         }
+        for (place, deviation) in self.places.iter().zip(&self.deviations) {
+            place.scatter(deviation.force(&place.gather(u)), sum);
+        }
     }
 
     fn add_mean_force(&self, ends: &Ends<DVector<f64>>, sum: &mut DVector<f64>) {
@@ -160,17 +174,21 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
                 scatter(places, self.beam.mean_forces(&ends), sum);
             }
         }
+        for (place, deviation) in self.places.iter().zip(&self.deviations) {
+            let middle = 0.5 * (place.gather(ends.u_0) + place.gather(ends.u_1));
+            place.scatter(deviation.force(&middle), sum);
+        }
     }
 
     fn matrix(&self, element: usize, matrix: &ElementMatrix, columns: &mut [f64]) {
-        self.element_matrix(&self.places[element], matrix, columns);
+        self.element_matrix(element, matrix, columns);
     }
 
     fn add_matrix(&self, matrix: &ElementMatrix, block: &mut BlockMut) {
-        for place in &self.places {
+        for (element, place) in self.places.iter().enumerate() {
             let unknowns = place.unknowns.map(|unknown| (unknown != NO_UNKNOWN).then_some(unknown as usize));
             let mut dense = SMatrix::<f64, N, N>::zeros();
-            self.element_matrix(place, matrix, dense.as_mut_slice());
+            self.element_matrix(element, matrix, dense.as_mut_slice());
             block.add_dense(unknowns, &dense);
         }
     }
@@ -179,7 +197,10 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
         let touching = self.places.iter().enumerate().filter_map(|(element, place)| {
             let own = vector.checked_sub(element * Self::STRIDE).filter(|own| *own < N / 2)?;
             let (u, a) = (place.gather(now.u), place.gather(now.a));
-            let force = self.mass * a + self.beam.force(&u, now.eps_t) - now.weight * self.gravity;
+            let mut force = self.mass * a + self.beam.force(&u, now.eps_t) - now.weight * self.gravity;
+            if let Some(deviation) = self.deviations.get(element) {
+                force += deviation.force(&u);
+            }
             Some(force.fixed_rows::<2>(2 * own).into_owned())
         });
         touching.sum()
@@ -192,11 +213,15 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
     }
 
     fn energy(&self, u: &DVector<f64>, eps_t: ThermalStrain) -> f64 {
-        self.places.iter().map(|place| self.beam.energy(&place.gather(u), eps_t)).sum()
+        let straight: f64 = self.places.iter().map(|place| self.beam.energy(&place.gather(u), eps_t)).sum();
+        let deviated = self.places.iter().zip(&self.deviations);
+        straight + deviated.map(|(place, deviation)| deviation.energy(&place.gather(u), eps_t)).sum::<f64>()
     }
 
     fn heating_work(&self, ends: &Ends<DVector<f64>>) -> f64 {
-        self.places.iter().map(|place| place.over(ends, |ends| self.beam.heating_work(ends))).sum()
+        let straight: f64 = self.places.iter().map(|place| place.over(ends, |ends| self.beam.heating_work(ends))).sum();
+        let change = [0, 1].map(|n| ends.thermal_1[n] - ends.thermal_0[n]);
+        straight + self.deviations.iter().map(|deviation| deviation.heating_work(change)).sum::<f64>()
     }
 
     fn largest_square_frequency(&self, stretch: [f64; 2], eps_t: ThermalStrain) -> f64 {

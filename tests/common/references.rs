@@ -4,7 +4,7 @@ use ancf::integrators::Counts;
 use ancf::integrators::State;
 use ancf::internals::elements::{Ancf, Beam, Cable, Meaning, NodalVector};
 use ancf::internals::structure::Structure;
-use ancf::model::{Element, Poisson, Scene};
+use ancf::model::{Element, Law, Poisson, Scene};
 use nalgebra::{DVector, Vector2};
 use serde_json::Value;
 
@@ -73,18 +73,21 @@ pub enum Kind {
     Paper,
     /// The same with Poisson's terms on the axis.
     Axis,
+    /// The same with the uniaxial law.
+    Uniaxial,
     /// The paper's competitor.
     EulerBernoulli,
 }
 
 impl Kind {
-    pub const ALL: [Kind; 3] = [Kind::Paper, Kind::Axis, Kind::EulerBernoulli];
+    pub const ALL: [Kind; 4] = [Kind::Paper, Kind::Axis, Kind::Uniaxial, Kind::EulerBernoulli];
 
     fn apply(self, scene: &mut Scene) {
         let rod = &mut scene.rods[0];
         match self {
             Kind::Paper => {}
             Kind::Axis => rod.poisson = Poisson::Axis,
+            Kind::Uniaxial => rod.law = Law::Uniaxial,
             Kind::EulerBernoulli => rod.element = Element::EulerBernoulli,
         }
     }

@@ -144,15 +144,20 @@ pub fn scale(quantity: &str, case: &Case) -> Vec<f64> {
         // ½ ∫ ε : σ.
         "18.U" | "18.U/printed-shear" => vec![0.5 * stiff * poisson * volume * scales.strain().powi(2)],
         // As the same quantities of the consistent form, in other axes.
-        "axis.D_0" => vec![stiff * poisson; 9],
+        "axis.D_0" | "uniaxial.D" => vec![stiff * poisson; 9],
         "axis.epsilon" => scales.strains(3),
-        "axis.U" => vec![0.5 * stiff * poisson * volume * scales.strain().powi(2)],
+        "axis.U" | "uniaxial.U" => vec![0.5 * stiff * poisson * volume * scales.strain().powi(2)],
         // ∫ S_a1 (eᵀS_a e − 1), and times the stiffness; the tangent's second part is of the same size.
         "21.K_1" | "21.K_2" | "21.K_3" | "21.K_3/printed" => product(volume * scales.strain(), &D, &D),
-        "20.K" | "20.K/printed-shear" | "tangent.dQ_e" | "tangent.dQ_e/printed-shear" | "axis.tangent" => {
-            product(stiff * poisson * volume * scales.strain(), &D, &D)
+        "20.K"
+        | "20.K/printed-shear"
+        | "tangent.dQ_e"
+        | "tangent.dQ_e/printed-shear"
+        | "axis.tangent"
+        | "uniaxial.tangent" => product(stiff * poisson * volume * scales.strain(), &D, &D),
+        "19.Q_e" | "19.Q_e/printed-shear" | "axis.Q_e" | "uniaxial.Q_e" => {
+            (0..14).map(|i| poisson * scales.force(i)).collect()
         }
-        "19.Q_e" | "19.Q_e/printed-shear" | "axis.Q_e" => (0..14).map(|i| poisson * scales.force(i)).collect(),
         // Inertia, elastic force and weight.
         "22.residual" => {
             (0..14).map(|i| poisson * scales.force(i) + s.rho * volume * N[i] * (sum(&s.edot) + gravity)).collect()

@@ -53,7 +53,10 @@ fn stretched(shape: &Shape, stretch: f64, thickness: Option<f64>) -> f64 {
 #[test]
 fn a_free_heated_rod_takes_the_stretches_without_stress() {
     let references = References::load();
-    for (kind, model, reference) in cases(&references, "free") {
+    let cases = cases(&references, "free");
+    let of_struts = cases.iter().filter(|(kind, ..)| *kind == Kind::Paper);
+    let of_struts: Vec<_> = of_struts.map(|&(_, model, reference)| (Kind::Uniaxial, model, reference)).collect();
+    for (kind, model, reference) in cases.into_iter().chain(of_struts) {
         for elements in [1, 4] {
             let shape = solve(&heated(kind, model, &reference, elements));
             let thickness = (kind != Kind::EulerBernoulli).then(|| reference.value("thickness"));

@@ -11,6 +11,7 @@ mod common;
 
 mod circle;
 mod heat;
+mod imperfection;
 mod large_bending;
 mod small_loads;
 mod vibration;

@@ -31,6 +31,36 @@ fn one_element_is_exact_at_any_slenderness() {
     }
 }
 
+/// A strut by the uniaxial law, whatever its ν: the tip is at PL³/3EI + PL/GA, G = E/2(1 + ν), with one element as with
+/// many. Plane strain's is at (1 − ν²)PL³/3EI + PL/GA.
+#[test]
+fn a_strut_feels_youngs_modulus_whatever_its_poissons_ratio() {
+    let references = References::load();
+    for (slenderness, nu) in [(10, -0.3), (10, 0.25), (100, 0.3), (100, 0.33), (100, 0.49), (1000, 0.3)] {
+        let reference = references.entry(&format!("timoshenko-{slenderness}"));
+        let (P, L) = (reference.parameter("P"), length(&reference));
+        for elements in [1, 4] {
+            let tip = |kind| {
+                let mut scene = push(rod(kind, &reference, elements), P);
+                scene.material.nu = nu;
+                let shear = P * L * 2.0 * (1.0 + nu)
+                    / (scene.material.youngs_modulus * scene.section.height * scene.section.width);
+                (solve(&scene).tip().y + shear, P * L.powi(3) / (3.0 * EI(&scene)))
+            };
+            for (kind, share) in [(Kind::Uniaxial, 1.0), (Kind::Axis, 1.0 - nu * nu)] {
+                let (bent, strut) = tip(kind);
+                let error = (bent / (-share * strut) - 1.0).abs();
+                let allowed = bound(&reference) * f64::from(elements as u32).powi(2);
+                println!("{kind:?}, L/h {slenderness}, nu {nu}, {elements}: {error:.1e}, allowed {allowed:.1e}");
+                assert!(
+                    error <= allowed,
+                    "{kind:?}, L/h {slenderness}, nu {nu}, {elements}: {error:.1e}, allowed {allowed:.1e}"
+                );
+            }
+        }
+    }
+}
+
 /// ν ≠ 0: the paper's field is linear in y, so that a bent section cannot thicken above its axis and thin below;
 /// E₂₂ = 0 there puts λ + 2μ in place of E/(1 − ν²). The tip is (1 − 2ν)/(1 − ν)² of plane strain's, whatever the
 /// mesh. With Poisson's terms on the axis bending feels E/(1 − ν²), and the same fields have plane strain's solution.

@@ -5,16 +5,49 @@
 #![allow(non_snake_case)] // The symbols of the derivation are names here: A, I, N, H.
 
 use crate::elements::plane::{Block, Scalar, Vec2, Vector};
-use crate::equations::material::LameConstants;
+use crate::equations::material::{self, LameConstants, YoungPoisson};
 use crate::model::Poisson;
 
-/// Plane law of the section: its moduli, and where Poisson's terms act.
+/// Plane law of the section, with its moduli.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Law {
-    /// Lamé's constants, Pa.
-    pub lame: LameConstants,
-    /// Across the section, as in the paper, or on the axis ([`equations::axis`](crate::equations::axis)).
-    pub poisson: Poisson,
+pub enum Law {
+    /// Plane strain, (16).
+    PlaneStrain {
+        /// Lamé's constants, Pa.
+        lame: LameConstants,
+        /// Poisson's terms across the section, as in the paper, or on the axis ([`equations::axis`](crate::equations::axis)).
+        poisson: Poisson,
+    },
+    /// Uniaxial stress along and across ([`equations::uniaxial`](crate::equations::uniaxial)).
+    Uniaxial(YoungPoisson),
+}
+
+impl Law {
+    /// Modulus of a strain ε₁₁ or ε₂₂ alone: λ + 2μ or E, Pa.
+    pub fn stiff(self) -> f64 {
+        match self {
+            Law::PlaneStrain { lame: LameConstants { lambda, mu }, .. } => lambda + 2.0 * mu,
+            Law::Uniaxial(YoungPoisson { E, .. }) => E,
+        }
+    }
+
+    /// Modulus of bending, Pa: E/(1 − ν²) where Poisson's terms act on the axis, else that of a strain alone.
+    fn bending(self) -> f64 {
+        match self {
+            Law::PlaneStrain { lame: LameConstants { lambda, mu }, poisson: Poisson::Axis } => {
+                4.0 * mu * (lambda + mu) / self.stiff()
+            }
+            _ => self.stiff(),
+        }
+    }
+
+    /// Shear modulus, Pa.
+    fn shear(self) -> f64 {
+        match self {
+            Law::PlaneStrain { lame, .. } => lame.mu,
+            Law::Uniaxial(moduli) => material::mu(moduli),
+        }
+    }
 }
 
 /// Current vectors of a section: tangent r', director d and its derivative κ = d'.
@@ -66,13 +99,13 @@ impl<S: Scalar> Resultants<S> {
 /// Section law, ∫ dy of the plane law: section forces from section strains.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SectionLaw {
-    /// (λ + 2μ)A.
+    /// (λ + 2μ)A, or EA.
     axial: f64,
     /// Modulus of bending times I, and times ∫ y⁴ dA.
     bending: [f64; 2],
     /// μA and μI.
     shear: [f64; 2],
-    /// λA, and λI where Poisson's terms act across the section. `None` without them: ν = 0.
+    /// λA, and λI where Poisson's terms act across the section. `None` without them: ν = 0, or the uniaxial law.
     pub coupling: Option<[f64; 2]>,
 }
 
@@ -81,24 +114,23 @@ impl SectionLaw {
     ///
     /// Poisson's terms across the section couple ε₂₂ = c with all of ε₁₁ = a₀ + a₁y + a₂y² by λ. On the axis they couple it with
     /// a₀ alone, and the modulus of bending is E/(1 − ν²).
-    pub fn new(Law { lame: LameConstants { lambda, mu }, poisson }: Law, h: f64, w: f64) -> SectionLaw {
+    /// By the uniaxial law nothing couples them.
+    pub fn new(law: Law, h: f64, w: f64) -> SectionLaw {
         let (A, I, I_4) = (w * h, w * h.powi(3) / 12.0, w * h.powi(5) / 80.0);
-        let stiff = lambda + 2.0 * mu;
-        let bending = match poisson {
-            Poisson::Full => stiff,
-            Poisson::Axis => 4.0 * mu * (lambda + mu) / stiff,
-        };
+        let (bending, shear) = (law.bending(), law.shear());
         SectionLaw {
-            axial: stiff * A,
+            axial: law.stiff() * A,
             bending: [bending * I, bending * I_4],
-            shear: [mu * A, mu * I],
-            coupling: (lambda != 0.0).then_some(SectionLaw::coupling(lambda, poisson, A, I)),
+            shear: [shear * A, shear * I],
+            coupling: SectionLaw::coupling(law, h, w).filter(|[on_axis, _]| *on_axis != 0.0),
         }
     }
 
-    /// λA, and λI or 0: coupling of c with a₀ and with a₂.
-    pub fn coupling(lambda: f64, poisson: Poisson, A: f64, I: f64) -> [f64; 2] {
-        [lambda * A, if poisson == Poisson::Full { lambda * I } else { 0.0 }]
+    /// λA, and λI or 0: coupling of c with a₀ and with a₂. `None` where the law has no Poisson's terms.
+    pub fn coupling(law: Law, h: f64, w: f64) -> Option<[f64; 2]> {
+        let Law::PlaneStrain { lame: LameConstants { lambda, .. }, poisson } = law else { return None };
+        let (A, I) = (w * h, w * h.powi(3) / 12.0);
+        Some([lambda * A, if poisson == Poisson::Full { lambda * I } else { 0.0 }])
     }
 
     /// Section forces: C times the section strains.
@@ -122,6 +154,13 @@ impl SectionLaw {
 
 /// Second derivative of a section's energy: blocks in p, δ and κ.
 pub(super) type Stiffness = [[Block; 3]; 3];
+
+/// Second derivative of the strains in p, δ and κ, contracted with the forces `N`: factors of unit matrices.
+#[inline(always)]
+pub(super) fn geometric(N: &Resultants<f64>) -> [[f64; 3]; 3] {
+    let Resultants { a, c, g } = *N;
+    [[a[0], g[0], a[1]], [g[0], c, g[1]], [a[1], g[1], a[2]]]
+}
 
 impl<V: Vector> Section<V> {
     #[inline(always)]
@@ -157,7 +196,7 @@ impl Section<Vec2> {
         let (r_1, d_1, k_1) = (other.r_x, other.d, other.kappa);
         let SectionLaw { axial: EA, bending: [EI, EI_4], shear: [GA, GI], coupling } = *law;
         let [EA, EI, EI_4, GA, GI] = [EA, EI, EI_4, GA, GI].map(|stiffness| weight * stiffness);
-        let Resultants { a, c, g } = N.map(|force| weight * force);
+        let N = N.map(|force| weight * force);
         let outer = Block::outer;
         let pk = outer(EI, k, r_1) + outer(EI, r, k_1);
         let mut H = [
@@ -171,8 +210,7 @@ impl Section<Vec2> {
             H[2][1] = H[2][1] + outer(across, k, d_1);
             H[1][2] = H[1][2] + outer(across, d, k_1);
         }
-        let geometric = [[a[0], g[0], a[1]], [g[0], c, g[1]], [a[1], g[1], a[2]]];
-        for (row, geometric) in H.iter_mut().zip(geometric) {
+        for (row, geometric) in H.iter_mut().zip(geometric(&N)) {
             for (block, geometric) in row.iter_mut().zip(geometric) {
                 *block = *block + Block::identity(geometric);
             }

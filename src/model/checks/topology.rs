@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 
 use crate::model::check::{Check, finite, require};
-use crate::model::choice::{Element, Poisson};
+use crate::model::choice::{Element, Law, Poisson};
 use crate::model::nearest::or_nearest;
 use crate::model::rod::Rod;
 use crate::model::scene::Scene;
@@ -67,8 +67,31 @@ fn check_rods(scene: &Scene) -> Check {
         let allowed = format_args!("\"full\"; the element \"{}\" has no section for Poisson's terms", rod.element);
         let holds = rod.poisson == Poisson::Full || rod.element == Element::Ancf;
         require(holds, format_args!("rods[{i}].poisson"), format_args!("\"{}\"", rod.poisson), allowed)?;
+        check_law(i, rod)?;
     }
     Ok(())
+}
+
+/// The uniaxial law is one of the paper's element, and has no Poisson's terms to be placed.
+fn check_law(i: usize, rod: &Rod) -> Check {
+    if rod.law == Law::PlaneStrain {
+        return Ok(());
+    }
+    let allowed = format_args!(
+        "\"plane-strain\", the default; the element \"{}\" is uniaxial anyway, with the stiffnesses EA and EI: leave `law` out",
+        rod.element
+    );
+    require(rod.element == Element::Ancf, format_args!("rods[{i}].law"), format_args!("\"{}\"", rod.law), allowed)?;
+    let allowed = format_args!(
+        "\"full\", the default, beside \"law\": \"{}\", which has no Poisson's terms: leave one of the two keys out",
+        rod.law
+    );
+    require(
+        rod.poisson == Poisson::Full,
+        format_args!("rods[{i}].poisson"),
+        format_args!("\"{}\"", rod.poisson),
+        allowed,
+    )
 }
 
 /// Checks pivots: each is a point of its own at the middle of at least two rods, and needs a node there.
