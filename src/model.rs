@@ -26,7 +26,9 @@ mod time;
 
 pub(crate) use check::Refusal;
 pub use checked::Model;
-pub use choice::{Constraints, Direction, Element, Form, Method, Poisson, Quantity, Schema, Start, ThermalModel};
+pub use choice::{
+    Constraints, Direction, Element, Form, LoadPath, Method, Poisson, Quantity, Schema, Start, ThermalModel,
+};
 pub use heat::Temperature;
 pub(crate) use history::{interpolate, times_of};
 pub(crate) use json::parse::{read_json, refuse_in_file};

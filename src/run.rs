@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod energy;
+mod equilibria;
 mod estimate;
 mod load_scale;
 mod monitor;

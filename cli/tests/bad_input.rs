@@ -188,6 +188,7 @@ refused! {
     key_that_begins_like_another: r#""o": [0.0, 0.0], "apex": [0.5, 0.0]"# => r#""ap": [0.0, 0.0], "apex": [0.5, "x"]"#; 6, "`points.apex[1]` is \"x\""; "a number"
     point_with_one_coordinate: "[0.5, 0.0]" => "[0.5]"; 6, "`points.apex` is [0.5]"; "two numbers"
     point_with_three_coordinates: "[0.5, 0.0]" => "[0.5, 0.0, 0.0]"; 6, "`points.apex` is [0.5, 0.0, 0.0]"; "two numbers"
+    path_in_motion: r#""energy-momentum""# => r#""energy-momentum", "path": "arc-length""#; 11, "`time.path` is \"arc-length\""; "only \"static\" follows one"
     unknown_word: r#""energy-momentum""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`, `gauss`, `nystrom`, `gauss-adaptive`, `nystrom-adaptive`, `static`"
     number_for_a_word: r#""energy-momentum""# => "4"; 11, "`time.method` is 4"; "`generalized-alpha`, `energy-momentum`, `explicit`"
     object_for_a_word: r#""2d""# => r#"{"2d": null}"#; 10, "`temperature.model` is {\"2d\": null}"; "`2d`, `1d`, `none`"
@@ -361,9 +362,11 @@ refused! {
 refused! {
     in STILL;
     end_of_statics: r#""method""# => r#""end": 2.0, "method""#; 10, "`time.end` is 2.0"; "1, or nothing: with the method \"static\""
-    force_with_a_history_in_statics: "-0.5]" => r#"-0.5], "history": [[0.0, 1.0]]"#; 8, "`forces[0].history` is [[0.0, 1.0]]"; "no history with the method \"static\""
-    heat_with_a_history_in_statics: "20.0]" => "20.0], [1.0, 30.0]"; 9, "`temperature.history` is [[0.0, 20.0], [1.0, 30.0]]"; "a single pair [t, dT] with the method \"static\""
-    heat_of_a_rod_with_a_history_in_statics: r#""to": "a""# => r#""to": "a", "temperature": {"history": [[0, 1], [2, 3]]}"#; 6, "`rods[0].temperature.history` is [[0, 1], [2, 3]]"; "a single pair [t, dT]"
+    force_that_starts_loaded_in_statics: "-0.5]" => r#"-0.5], "history": [[0.0, 1.0]]"#; 8, "`forces[0].history` is [[0.0, 1.0]]"; "0 at the load factor 0"
+    heat_that_starts_hot_in_statics: "20.0]" => "20.0], [1.0, 30.0]"; 9, "`temperature.history` is [[0.0, 20.0], [1.0, 30.0]]"; "0 at the load factor 0"
+    heat_of_a_rod_that_starts_hot_in_statics: r#""to": "a""# => r#""to": "a", "temperature": {"history": [[0, 1], [2, 3]]}"#; 6, "`rods[0].temperature.history` is [[0, 1], [2, 3]]"; "0 at the load factor 0"
+    history_along_the_arc_length: "[[0.0, 20.0]]},\n  \"time\": {" => "[[0, 0], [1, 20.0]]},\n  \"time\": {\"path\": \"arc-length\", "; 9, "`temperature.history` is [[0, 0], [1, 20.0]]"; "no history with \"path\": \"arc-length\""
+    unknown_path: "\"static\"" => "\"static\", \"path\": \"arc\""; 10, "`time.path` is \"arc\""; "`load`, `arc-length`"
     relaxed_start_of_statics: r#"{"history""# => r#"{"start": "relaxed", "history""#; 9, "`temperature.start` is \"relaxed\""; "heat grows from nothing, and has no start"
     interval_in_statics: r#"  "probes""# => r#"  "output": {"interval": 0.1}, "probes""#; 11, "`output.interval` is 0.1"; "every load step is a row"
     velocity_in_statics: r#"["position"]"# => r#"["position", "velocity"]"#; 11, "`probes[0].of[1]` is \"velocity\""; "with the method \"static\" nothing moves"

@@ -42,6 +42,16 @@ impl<F: Number> BandMatrix<F> {
         size.saturating_mul(3 * band + 1).saturating_mul(size_of::<F>())
     }
 
+    /// Sets every entry to zero.
+    pub fn clear(&mut self) {
+        self.entries.fill(F::zero());
+    }
+
+    /// Copies another matrix of the same shape.
+    pub fn copy_from(&mut self, other: &BandMatrix<F>) {
+        self.entries.copy_from_slice(&other.entries);
+    }
+
     fn index(&self, row: usize, column: usize) -> usize {
         row * (3 * self.band + 1) + column + self.band - row
     }

@@ -26,6 +26,8 @@ pub struct Recorder {
     energy: Option<Energy>,
     /// Whether energies are recorded.
     has_energies: bool,
+    /// Whether the load factor is recorded.
+    has_load: bool,
     method: Method,
 }
 
@@ -51,6 +53,7 @@ impl Recorder {
             multipliers: zeros(),
             energy: plan.energy.then(|| Energy::new(scene, structure, state)),
             has_energies: scene.has_energies(),
+            has_load: scene.time.has_load_column(),
             method: scene.time.method,
         })
     }
@@ -86,11 +89,12 @@ impl Recorder {
             structure.take_multipliers_into(&mut self.a, &mut self.multipliers);
         }
         let multipliers = multipliers.unwrap_or(&self.multipliers);
-        let now = Instant { u: &state.u, a: &self.a, t: state.t, multipliers };
+        let now = Instant { u: &state.u, a: &self.a, t: state.load, multipliers };
         let Some(row) = self.rows.get_mut(self.written) else { return Ok(()) };
         // A failed attempt may have left its numbers.
         row.clear();
         row.push(state.t);
+        row.extend(self.has_load.then_some(state.load));
         for reading in &self.readings {
             match *reading {
                 Reading::Position(point) => row.extend(structure.position(point, &state.u)),
