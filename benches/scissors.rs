@@ -135,7 +135,7 @@ fn sample(scene: &Scene, repetitions: usize) -> Result<Sample> {
         let structure = Structure::new(scene)?;
         let mut counts = Counts::default();
         let (u, v) = (structure.start().clone(), DVector::zeros(structure.size()));
-        let mut state = State { step: 0, t: 0.0, u, v };
+        let mut state = State { step: 0, t: 0.0, load: 0.0, u, v };
         let mut method: Box<dyn Integrator> = ancf::internals::integrators::integrator(
             scene,
             &ancf::internals::model::Plan::of(scene),

@@ -77,17 +77,18 @@ pub enum Error {
         /// Whether one tangent serves both stages of the method, which converges only while they are alike.
         shared_tangent: bool,
     },
-    /// Statics found no equilibrium.
+    /// Statics cannot follow the equilibria.
     #[error(
-        "no equilibrium was found at {} of the load: {reason}; more `time.load_steps` help, or more `elements` where rods \
-         bend far, unless the structure buckles there",
+        "the equilibria cannot be followed beyond {} of the load: {reason}; {advice}",
         time_text(*factor)
     )]
     NoEquilibrium {
-        /// Load factor at the end of the failed step, 0 … 1.
+        /// Load factor of the last equilibrium.
         factor: f64,
-        /// Cause: iterations and residual, or the place where the tangent is singular.
+        /// Cause: iterations and residual, the place where the tangent is singular, or a jump to other equilibria.
         reason: String,
+        /// What to do next.
+        advice: &'static str,
     },
     /// A matrix to be factorised is singular.
     #[error(
@@ -206,7 +207,7 @@ pub enum Error {
     },
     /// The equilibrium is unstable, so that its error cannot be estimated.
     #[error(
-        "the error cannot be estimated, as the equilibrium found is unstable, in {directions} direction(s): other equilibria are \
+        "the error cannot be estimated, as an equilibrium on the way is unstable, in {directions} direction(s): other equilibria are \
          near, and the one that a finer run finds says nothing about this one; a small lateral force leads to the stable one"
     )]
     Unstable {

@@ -16,7 +16,7 @@ mod number;
 
 pub use band::{BandLu, BandMatrix};
 pub use banded_ldlt::BandedLdlt;
-pub use bordered::{BlockMut, Bordered, BorderedLu};
+pub use bordered::{BlockMut, Bordered, BorderedLu, InertiaMemory};
 pub use condensed::CondensedFactors;
 pub use frontal::{Chain, FrontalChain, NO_UNKNOWN};
 pub use lanczos::{Pencil, largest_eigenvalue};

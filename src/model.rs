@@ -28,7 +28,9 @@ mod time;
 
 pub(crate) use check::Refusal;
 pub use checked::Model;
-pub use choice::{Constraints, Direction, Element, Form, Law, Method, Poisson, Quantity, Schema, Start, ThermalModel};
+pub use choice::{
+    Constraints, Direction, Element, Form, Law, LoadPath, Method, Poisson, Quantity, Schema, Start, ThermalModel,
+};
 pub use heat::Temperature;
 pub(crate) use history::{interpolate, times_of};
 pub use imperfection::Imperfection;

@@ -3,6 +3,7 @@
 mod accuracy;
 mod column_errors;
 mod energy;
+mod equilibria;
 mod estimate;
 mod growth;
 mod load_scale;

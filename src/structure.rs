@@ -34,6 +34,7 @@ mod rod;
 mod rod_elements;
 mod rotation;
 mod rounding;
+mod stability;
 mod uniform_elements;
 mod unknown_kind;
 mod unknowns;
@@ -55,6 +56,7 @@ use crate::model::plan::Plan;
 pub use mass::MassFactors;
 pub use matrix::{Factors, Matrix};
 pub use probes::{Instant, PointId, RodId};
+pub use stability::StabilityCounter;
 
 /// A model's structure, ready for statics and dynamics.
 #[derive(Clone, Debug)]
@@ -114,6 +116,13 @@ impl Structure {
         self.times.get(1..self.times.len().saturating_sub(1)).unwrap_or_default()
     }
 
+    /// Start and end of the stretch, between two corners of histories, in which the load factor `load` lies: there loads
+    /// and heat are linear.
+    pub fn stretch(&self, load: f64) -> [f64; 2] {
+        let next = self.times.partition_point(|time| *time <= load).clamp(1, self.times.len() - 1);
+        [self.times[next - 1], self.times[next]]
+    }
+
     /// Product of the mass matrix and an acceleration (or velocity), without forming the matrix.
     pub fn inertia(&self, a: &DVector<f64>) -> DVector<f64> {
         let mut sum = DVector::zeros(self.size());
@@ -155,6 +164,24 @@ impl Structure {
             UnknownKind::Multiplier => 0.0,
         };
         u.iter().zip(&self.kinds).map(size).fold(0.0, |largest, size| if size <= largest { largest } else { size })
+    }
+
+    /// Product of two displacements, m²: the sum of the products of their entries, slopes multiplied by the length over
+    /// which they act. It does not change when the structure is turned.
+    pub fn displacement_product(&self, a: &DVector<f64>, b: &DVector<f64>) -> f64 {
+        let weight = |kind: &UnknownKind| match kind {
+            UnknownKind::Position => 1.0,
+            UnknownKind::Slope(length) => length * length,
+            UnknownKind::Multiplier => 0.0,
+        };
+        a.iter().zip(b).zip(&self.kinds).map(|((a, b), kind)| weight(kind) * a * b).sum()
+    }
+
+    /// [Product](Structure::displacement_product) with itself of a displacement whose every entry is the largest thermal
+    /// stretch of the shortest element, m².
+    pub fn thermal_stretch(&self, thermal: &[ThermalStrain]) -> f64 {
+        let hottest = thermal.iter().flatten().map(|strain| strain.abs()).fold(0.0, f64::max);
+        self.size() as f64 * (hottest * self.shortest_element).powi(2)
     }
 
     /// Elastic forces at the rods' thermal strains, into `sum`.

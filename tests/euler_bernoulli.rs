@@ -135,15 +135,15 @@ fn cantilever(height: f64, elements: usize, load_steps: usize, load: f64) -> Sce
     scene
 }
 
-/// PL²/EI = 10, h/L = 10⁻³: from eight elements on one load step does and ends where ten do; fewer cannot follow a bend
-/// of 80° at once.
+/// PL²/EI = 10, h/L = 10⁻³: one load step ends where ten do, in parts whose displacements agree with their rates: 21
+/// iterations, of which the whole step takes 8 or 9.
 #[test]
 fn one_load_step_bends_a_slender_rod_far() {
     for elements in [8, 16, 32] {
         let [ten, one] = [10, 1].map(|steps| must_run(&cantilever(1e-3, elements, steps, 10.0)));
         println!("{elements} elements: {} iterations", one.counts.newton_iterations);
         assert!(farthest(&positions(&one, "tip")[1..], &positions(&ten, "tip")[10..]) <= 1e-9, "{elements}");
-        assert!(one.counts.newton_iterations <= 20, "{elements} elements: {:?}", one.counts);
+        assert!(one.counts.newton_iterations <= 25, "{elements} elements: {:?}", one.counts);
     }
 }
 

@@ -133,7 +133,7 @@ impl Moving {
     fn at_rest(scene: &Scene) -> Moving {
         let structure = Structure::new(scene).unwrap();
         let u = structure.start().clone();
-        let state = State { step: 0, t: 0.0, v: DVector::zeros(u.len()), u };
+        let state = State { step: 0, t: 0.0, load: 0.0, v: DVector::zeros(u.len()), u };
         Moving { scene: scene.clone(), structure, state }
     }
 

@@ -3,16 +3,20 @@
 use ancf::internals::model::ENERGY_COLUMNS;
 use ancf::run::{Run, Trajectory};
 
-/// Time of the last row, s.
+/// Column of the load factor, where it is a result.
+const LOAD: &str = "load";
+
+/// Time of the last row, s; the load factor in statics.
 pub fn final_time(run: &Run) -> Option<f64> {
-    run.trajectory.rows.last().and_then(|row| row.first()).copied()
+    let load = run.trajectory.column(LOAD).and_then(|loads| loads.last().copied());
+    load.or_else(|| run.trajectory.rows.last().and_then(|row| row.first()).copied())
 }
 
 /// Names and values of the probes' columns in the last row.
 pub fn final_values(run: &Run) -> impl Iterator<Item = (&str, f64)> {
     let last = run.trajectory.rows.last().into_iter().flatten().copied();
     let columns = run.trajectory.columns.iter().map(String::as_str).zip(last);
-    columns.skip(1).filter(|(name, _)| !ENERGY_COLUMNS.contains(name))
+    columns.skip(1).filter(|(name, _)| *name != LOAD && !ENERGY_COLUMNS.contains(name))
 }
 
 /// Largest |`energy.balance`| over the rows, J; `None` if there is no such column.

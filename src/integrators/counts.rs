@@ -6,10 +6,10 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Counts {
-    /// Number of time steps.
+    /// Number of time steps, or of load steps.
     pub steps: usize,
     /// Number of rejected steps: repeated, shorter, since the estimated error was too large or the step could not be
-    /// made.
+    /// made. In statics: number of times that a load step, or a part of it, was halved.
     pub rejected: usize,
     /// Number of Newton iterations over all steps.
     pub newton_iterations: usize,

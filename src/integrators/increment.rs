@@ -48,6 +48,11 @@ impl Increment {
         self.du -= &self.improvement;
     }
 
+    /// Last improvement, which was subtracted.
+    pub fn improvement(&self) -> &DVector<f64> {
+        &self.improvement
+    }
+
     /// Takes the last improvement back, see [`Equations::undo`](super::newton::Equations::undo).
     pub fn undo(&mut self) {
         self.du += &self.improvement;

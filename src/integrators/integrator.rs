@@ -51,6 +51,12 @@ pub trait Integrator {
     /// step cannot be made or trusted; the state is then meaningless.
     fn step(&mut self, structure: &Structure, state: &mut State, t_1: f64, counts: &mut Counts) -> Result<()>;
 
+    /// Whether the run ends at this state, before its last step; `false` for methods that do not choose their end.
+    fn is_at_end(&self, state: &State) -> bool {
+        let _ = state;
+        false
+    }
+
     /// Multipliers λ of the state, in their entries; `None` for methods without them.
     fn multipliers(&self) -> Option<&DVector<f64>> {
         None

@@ -1,6 +1,7 @@
 //! Chooses the time-stepping method of a scene.
 
 use super::adaptive::Adaptive;
+use super::arc_length::ArcLength;
 use super::counts::Counts;
 use super::energy_momentum::EnergyMomentum;
 use super::explicit::Explicit;
@@ -13,7 +14,7 @@ use super::state::State;
 use super::statics::Statics;
 use crate::error::Result;
 use crate::model::plan::Plan;
-use crate::model::{Method, Scene};
+use crate::model::{LoadPath, Method, Scene};
 use crate::structure::Structure;
 
 /// Time-stepping method of a scene, ready at `state`.
@@ -46,6 +47,9 @@ pub fn integrator(
             let method = Nystrom::unchecked(structure, state, step, counts)?;
             Box::new(Adaptive::new(method, structure, state, scene.time.tolerance, step))
         }
-        Method::Static => Box::new(Statics::new(structure, newton)),
+        Method::Static => match scene.time.path {
+            LoadPath::Load => Box::new(Statics::new(structure, newton)),
+            LoadPath::ArcLength => Box::new(ArcLength::new(structure, newton, 1.0 / scene.time.load_steps as f64)),
+        },
     })
 }

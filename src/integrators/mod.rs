@@ -1,9 +1,11 @@
 //! Time integration of M q̈ + Q_e(q, ΔT) = Q_w, one method per file; and statics.
 
 mod adaptive;
+mod arc_length;
 mod counts;
 mod energy_momentum;
 mod equation_of_motion;
+mod equilibrium;
 mod explicit;
 mod gauss;
 mod generalized_alpha;

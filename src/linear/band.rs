@@ -42,6 +42,11 @@ impl<F: Number> BandMatrix<F> {
         size.saturating_mul(3 * band + 1).saturating_mul(size_of::<F>())
     }
 
+    /// Copies another matrix of the same shape.
+    pub fn copy_from(&mut self, other: &BandMatrix<F>) {
+        self.entries.copy_from_slice(&other.entries);
+    }
+
     fn index(&self, row: usize, column: usize) -> usize {
         row * (3 * self.band + 1) + column + self.band - row
     }

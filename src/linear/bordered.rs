@@ -19,6 +19,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 pub use block_mut::BlockMut;
+pub use inertia::InertiaMemory;
 
 use super::{BandLu, BandMatrix, BlockLayout, Layout, SingularAt, flush_negligible};
 
@@ -74,6 +75,16 @@ impl Bordered {
             corner: BandMatrix::zeros(layout.border_size, layout.border_band),
             layout: layout.clone(),
         }
+    }
+
+    /// Sets every entry to zero.
+    pub fn clear(&mut self) {
+        for Block { own, right, below } in &mut self.blocks {
+            own.clear();
+            right.fill(0.0);
+            below.fill(0.0);
+        }
+        self.corner.clear();
     }
 
     /// Number of rows.

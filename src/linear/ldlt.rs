@@ -19,15 +19,9 @@ impl Ldlt {
         &self.pivots
     }
 
-    /// Factorises a matrix and replaces `sides` by L⁻¹ `sides`; returns the number of negative pivots. `None` at a pivot
+    /// Factorises a matrix and replaces the columns `sides` by L⁻¹ `sides`; returns the number of negative pivots. `None` at a pivot
     /// that is zero or not a number.
-    pub fn factorize(
-        &mut self,
-        matrix: &BandMatrix,
-        size: usize,
-        band: usize,
-        sides: &mut [Vec<f64>],
-    ) -> Option<usize> {
+    pub fn factorize(&mut self, matrix: &BandMatrix, size: usize, band: usize, sides: &mut [f64]) -> Option<usize> {
         let Ldlt { lower, pivots, row } = self;
         lower.clear();
         lower.resize(size * band, 0.0);
@@ -59,7 +53,7 @@ impl Ldlt {
             if pivot == 0.0 || !pivot.is_finite() {
                 return None;
             }
-            for side in sides.iter_mut() {
+            for side in sides.chunks_mut(size) {
                 side[i] -= dot(&row[first + band - i..], &side[first..i]);
             }
             pivots.push(pivot);

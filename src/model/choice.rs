@@ -126,6 +126,19 @@ words! {
     }
 }
 
+words! {
+    /// What statics steps along.
+    #[derive(Default)]
+    #[non_exhaustive]
+    pub enum LoadPath {
+        /// Load factor: it grows to 1 in equal steps. Ends in an error at a limit point, where a structure snaps through.
+        #[default]
+        Load = "load",
+        /// Length of the path of equilibria (Riks 1979): the load factor is a result, the column `load`, and may fall.
+        ArcLength = "arc-length",
+    }
+}
+
 impl Direction {
     /// Unit vector of the direction.
     pub(crate) fn unit(self) -> [f64; 2] {

@@ -24,7 +24,8 @@ pub struct Temperature {
     #[serde(default)]
     pub start: Start,
     /// Pairs [t, ΔT] in s and K, in order of time: linear in between, constant before the first and after the last. May
-    /// be empty for [`ThermalModel::None`].
+    /// be empty for [`ThermalModel::None`]. In statics t is the load factor, where the history starts from 0; a single
+    /// pair is the full heat, which grows with the load factor.
     #[serde(default)]
     pub history: Vec<[f64; 2]>,
 }

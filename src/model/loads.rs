@@ -23,7 +23,8 @@ pub struct Force {
     /// Force [F_x, F_y], N; its direction is fixed in space.
     pub force: [f64; 2],
     /// Factor over time: pairs [t, factor] in order of time, linear in between, constant before the first and after the
-    /// last. `None`: always 1.
+    /// last. `None`: always 1. In statics t is the load factor, where the history starts from 0; `None`: it grows with
+    /// the load factor.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub history: Option<Vec<[f64; 2]>>,
 }

@@ -110,7 +110,13 @@ impl Plan {
             part(
                 "accelerations and reactions at the output rows",
                 self.acceleration,
-                if self.acceleration { "a probe asks for them" } else { "no probe asks for them" },
+                match (self.acceleration, scene.time.method) {
+                    (true, _) => "a probe asks for them",
+                    (false, Method::Static) => {
+                        "in statics nothing is accelerated, and reactions are what loads and elastic forces leave"
+                    }
+                    (false, _) => "no probe asks for them",
+                },
             ),
             part(
                 "tangents",

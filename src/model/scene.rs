@@ -199,11 +199,11 @@ impl Scene {
         self
     }
 
-    /// Number of steps: time steps up to `time.end`, or load steps of statics; output rows of adaptive methods. 0 where the step is
-    /// not valid.
+    /// Number of steps: time steps up to `time.end`, or load steps of statics (most steps along its arc length); output
+    /// rows of adaptive methods. 0 where the step is not valid.
     pub fn steps(&self) -> usize {
         match self.time.method {
-            Method::Static => self.time.load_steps,
+            Method::Static => self.time.most_rows(),
             // More steps are not allowed, nor is what is no number: a scene may be asked before it is checked.
             _ => Some((self.time.end / self.stride()).round()).filter(|steps| *steps <= MOST_STEPS).unwrap_or(0.0)
                 as usize,
@@ -216,9 +216,10 @@ impl Scene {
         own.unwrap_or(self.time.step)
     }
 
-    /// Time after `step` steps, s; load factor in statics. A product, not a sum of steps, whose rounding would grow.
+    /// Time after `step` steps, s; load factor in statics, or `step` itself along the arc length. A product, not a sum of steps, whose rounding would grow.
     pub fn time_after(&self, step: usize) -> f64 {
         match self.time.method {
+            Method::Static if self.time.has_load_column() => step as f64,
             Method::Static => step as f64 / self.time.load_steps as f64,
             _ => step as f64 * self.stride(),
         }
@@ -294,7 +295,7 @@ impl Scene {
         self.output.energy && self.moves()
     }
 
-    /// Column names of `trajectory.csv`: `t`, two for each probed quantity (one for a deflection), then the energies if
+    /// Column names of `trajectory.csv`: `t`, `load` for statics along its arc length, two for each probed quantity (one for a deflection), then the energies if
     /// requested.
     pub fn columns(&self) -> Vec<String> {
         let probed = self.probes.iter().flat_map(|probe| {
@@ -302,6 +303,7 @@ impl Scene {
             columns.map(move |suffix| format!("{}.{suffix}", probe.name))
         });
         let energies = ENERGY_COLUMNS.iter().filter(|_| self.has_energies()).map(|name| name.to_string());
-        std::iter::once("t".to_string()).chain(probed).chain(energies).collect()
+        let load = self.time.has_load_column().then(|| "load".to_string());
+        std::iter::once("t".to_string()).chain(load).chain(probed).chain(energies).collect()
     }
 }

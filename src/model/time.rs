@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::choice::Method;
+use super::choice::{LoadPath, Method, is_default};
 use super::json::shape;
 
 /// Most time steps of a run: more is a mistyped step, and would take days even with one element.
@@ -42,10 +42,18 @@ pub struct Time {
     /// they act. Refused with other methods.
     #[serde(default = "default_tolerance", skip_serializing_if = "is_default_tolerance")]
     pub tolerance: f64,
-    /// Statics: number of equal load steps for loads and heat. Refused with other methods.
+    /// Statics: number of equal load steps for loads and heat. With the path "arc-length" no row changes the load factor
+    /// by much more than one of these steps, and there are at most twenty rows for each. Refused with other methods.
     #[serde(default = "default_load_steps", skip_serializing_if = "is_default_load_steps")]
     pub load_steps: usize,
+    /// Statics: what it steps along, "load" or "arc-length". With "arc-length" the column `t` is the number of the row,
+    /// and the load factor is the column `load`; the path ends where that reaches 1, or with the last of its rows.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub path: LoadPath,
 }
+
+/// Most rows of an arc-length path for each of its load steps.
+const ROWS_PER_LOAD_STEP: usize = 20;
 
 impl Time {
     /// Duration up to `end` (s), everything else at its default.
@@ -58,6 +66,20 @@ impl Time {
             newton_tolerance: default_newton_tolerance(),
             tolerance: default_tolerance(),
             load_steps: default_load_steps(),
+            path: LoadPath::default(),
+        }
+    }
+
+    /// Whether the load factor is a result of the run.
+    pub(crate) fn has_load_column(&self) -> bool {
+        self.method == Method::Static && self.path == LoadPath::ArcLength
+    }
+
+    /// Most rows of statics after the first.
+    pub(super) fn most_rows(&self) -> usize {
+        match self.path {
+            LoadPath::Load => self.load_steps,
+            LoadPath::ArcLength => ROWS_PER_LOAD_STEP.saturating_mul(self.load_steps),
         }
     }
 }

@@ -63,9 +63,9 @@ const MOST_PARTS: usize = 16;
 /// ```
 ///
 /// # Errors
-/// Those of [`run`](super::run()); [`Error::NoEstimate`] where a finer run fails, [`Error::Inaccurate`] where the sum
-/// of both errors exceeds a tenth of the motion, [`Error::Unstable`] for an unstable equilibrium, and
-/// [`Error::UnstableMotion`] for an unstable motion.
+/// Those of [`run`](super::run()); [`Error::Scene`] for an arc-length path; [`Error::NoEstimate`] where a finer run
+/// fails, [`Error::Inaccurate`] where the sum of both errors exceeds a tenth of the motion, [`Error::Unstable`] for an
+/// unstable equilibrium, and [`Error::UnstableMotion`] for an unstable motion.
 pub fn run_estimated<M>(model: M, on_step: impl FnMut(usize)) -> Result<Run>
 where
     M: TryInto<Model>,
@@ -73,6 +73,12 @@ where
 {
     let model = model.try_into()?;
     let scene = &model.scene().clone();
+    if scene.time.has_load_column() {
+        let allowed = "\"load\" with an estimate: with \"arc-length\" the rows of runs with other steps or elements lie \
+                       elsewhere on the path, and cannot be compared";
+        let (file, key, value) = ("estimate".into(), "time.path".into(), format!("\"{}\"", scene.time.path));
+        return Err(Error::Scene { file, key, value, allowed: allowed.into() });
+    }
     let observer = Observer::of(scene);
     let (mut own, seen) = observer.run_with_progress(Simulation::of(model.clone())?, on_step)?;
     let (finer, in_time, seen_in_time, how) = refine_in_time(&observer, scene, own.counts.steps)?;

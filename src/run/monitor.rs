@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::equilibria::Equilibria;
 use super::load_scale::LoadScale;
 use crate::error::{Error, Result};
 use crate::integrators::State;
@@ -34,6 +35,8 @@ pub struct Monitor {
     before: DVector<f64>,
     /// Rounding in motion; `None` in statics, which has a check of its own.
     rounding: Option<Rounding>,
+    /// Stability of the rows of statics.
+    equilibria: Option<Equilibria>,
 }
 
 /// Largest relative rounding errors so far.
@@ -62,7 +65,8 @@ impl Monitor {
             let reference = if loads.total > 0.0 { Reference::Loads(loads) } else { known() };
             Rounding { reference, fractions: [0.0; 2] }
         });
-        Monitor { before: structure.start().clone(), rounding }
+        let equilibria = rounding.is_none().then(|| Equilibria::new(structure));
+        Monitor { before: structure.start().clone(), rounding, equilibria }
     }
 
     /// Checks the state after a step for collapse, if it has moved since the last check.
@@ -84,6 +88,9 @@ impl Monitor {
     /// [`Error::Collapsed`], or [`Error::LostInRounding`].
     pub fn row(&mut self, structure: &Structure, state: &State) -> Result<()> {
         self.check_collapse(structure, state)?;
+        if let Some(equilibria) = &mut self.equilibria {
+            equilibria.row(structure, state);
+        }
         self.rounding.as_mut().map_or(Ok(()), |rounding| rounding.row(structure, state))
     }
 
@@ -100,12 +107,14 @@ impl Monitor {
     }
 
     fn check_collapse(&mut self, structure: &Structure, state: &State) -> Result<()> {
-        structure.check_collapse(&self.before, &state.u, state.t)?;
+        // Statics has followed the rods to the row, however far they have turned since the last one.
+        let before = if self.equilibria.is_some() { &state.u } else { &self.before };
+        structure.check_collapse(before, &state.u, state.load)?;
         self.before.copy_from(&state.u);
         Ok(())
     }
 
-    /// Adds the warnings about the whole run; returns the number of unstable directions of a static equilibrium.
+    /// Adds the warnings about the whole run; returns the most unstable directions of a static equilibrium.
     ///
     /// # Errors
     /// [`Error::LostInRounding`] for statics without a reliable digit.
@@ -114,12 +123,12 @@ impl Monitor {
             warnings.extend(rounding.warning());
             return Ok(0);
         }
-        let share = structure.rounding_of_equilibrium(&state.u, state.t).unwrap_or(0.0);
+        let share = structure.rounding_of_equilibrium(&state.u, state.load).unwrap_or(0.0);
         if share > REFUSED_IN_STATICS {
-            return Err(Error::LostInRounding { time: state.t, share, of: "displacement", statics: true });
+            return Err(Error::LostInRounding { time: state.load, share, of: "displacement", statics: true });
         }
-        let unstable = structure.unstable_directions(&state.u, state.t).unwrap_or(0);
-        warnings.extend((unstable > 0).then(|| stability_warning(unstable)));
+        let unstable = self.equilibria.as_ref().map_or(0, Equilibria::unstable_directions);
+        warnings.extend(self.equilibria.iter().flat_map(Equilibria::warnings));
         warnings.extend((share > WARNED_IN_STATICS).then(|| rounding_warning(share, "displacement")));
         Ok(unstable)
     }
@@ -171,13 +180,5 @@ fn rounding_warning(share: f64, of: &str) -> String {
     format!(
         "rounding errors of the elastic forces may be as much as {share:.0e} of the {of}: the structure is so stiff, or so slender, \
          that few digits are left"
-    )
-}
-
-/// Warning about an equilibrium that would not stay, as a column above its Euler load.
-fn stability_warning(directions: usize) -> String {
-    format!(
-        "the equilibrium found is unstable, in {directions} direction(s): the structure is loaded beyond its buckling load and would \
-         leave this position; a small lateral force shows in which direction"
     )
 }

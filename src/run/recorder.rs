@@ -29,6 +29,8 @@ pub struct Recorder {
     energy: Option<Energy>,
     /// Whether energies are recorded.
     has_energies: bool,
+    /// Whether the load factor is recorded.
+    has_load: bool,
     method: Method,
 }
 
@@ -55,6 +57,7 @@ impl Recorder {
             multipliers: zeros(),
             energy: plan.energy.then(|| Energy::new(scene, structure, state)),
             has_energies: scene.has_energies(),
+            has_load: scene.time.has_load_column(),
             method: scene.time.method,
         })
     }
@@ -90,7 +93,7 @@ impl Recorder {
         }
         self.accelerate(structure, state, counts);
         let multipliers = multipliers.unwrap_or(&self.multipliers);
-        let now = Now { state, instant: Instant { u: &state.u, a: &self.a, t: state.t, multipliers } };
+        let now = Now { state, instant: Instant { u: &state.u, a: &self.a, t: state.load, multipliers } };
         for Reading { place, mean, .. } in &mut self.readings {
             if let Some(mean) = mean {
                 mean.add(state.t, place.read(structure, &now));
@@ -116,11 +119,12 @@ impl Recorder {
     ) -> Result<()> {
         self.accelerate(structure, state, counts);
         let multipliers = multipliers.unwrap_or(&self.multipliers);
-        let now = Now { state, instant: Instant { u: &state.u, a: &self.a, t: state.t, multipliers } };
+        let now = Now { state, instant: Instant { u: &state.u, a: &self.a, t: state.load, multipliers } };
         let Some(row) = self.rows.get_mut(self.written) else { return Ok(()) };
         // A failed attempt may have left its numbers.
         row.clear();
         row.push(state.t);
+        row.extend(self.has_load.then_some(state.load));
         for reading in &mut self.readings {
             let value = match &mut reading.mean {
                 None => reading.place.read(structure, &now),

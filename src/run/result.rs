@@ -13,8 +13,8 @@ pub struct Run {
     pub counts: Counts,
     /// Warnings to read before trusting the result.
     pub warnings: Vec<String>,
-    /// Statics: number of independent directions in which the final equilibrium is unstable; 0 in motion, and where it
-    /// could not be determined.
+    /// Statics: most independent directions in which the equilibrium of a row is unstable; 0 in motion. Rows whose
+    /// stability could not be told are warned of.
     pub unstable_directions: usize,
     /// Estimated errors; only from [`run_estimated`](super::run_estimated).
     pub accuracy: Accuracy,

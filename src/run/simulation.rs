@@ -209,7 +209,7 @@ impl Simulation {
 
     fn next_step(&mut self) -> Result<bool> {
         let scene = self.model.scene();
-        if self.done == scene.steps() {
+        if self.done == scene.steps() || self.method.is_at_end(&self.state) {
             return Ok(false);
         }
         let next = self.done + 1;
@@ -257,6 +257,9 @@ impl Simulation {
         }
         let whole = if is_end_of_step { steps.round() } else { steps.floor() } as usize;
         while self.done < whole && self.step()? {}
+        if self.done < whole {
+            return Err(self.not_a_time(t, [now, self.state.t], "to"));
+        }
         if !is_end_of_step && self.state.t < t {
             self.unless_failed(|own| own.advance(t, false))?;
         }
@@ -286,7 +289,9 @@ impl Simulation {
     /// Those of [`step`](Simulation::step); [`Error::LostInRounding`] where rounding is most of a static displacement.
     pub fn finish(mut self) -> Result<Run> {
         while self.step()? {}
-        let mut warnings = warnings(self.model.scene());
+        let scene = self.model.scene();
+        let mut warnings = warnings(scene);
+        warnings.extend((scene.time.has_load_column() && self.state.load < 1.0).then(|| short_path(&self.state)));
         let unstable_directions = self.monitor.end(&self.structure, &self.state, &mut warnings)?;
         warnings.extend(self.recorder.imbalance_warning(&self.structure));
         warnings.extend(self.rotation.warning());
@@ -392,7 +397,7 @@ impl Simulation {
     pub fn reaction(&mut self, point: &str) -> Result<[f64; 2]> {
         let point = self.structure.point(point)?;
         let (a, multipliers) = self.accelerations()?;
-        let now = Instant { u: &self.state.u, a: &a, t: self.state.t, multipliers: &multipliers };
+        let now = Instant { u: &self.state.u, a: &a, t: self.state.load, multipliers: &multipliers };
         Ok(self.structure.reaction(point, now))
     }
 
@@ -474,10 +479,10 @@ impl Simulation {
     pub fn energy(&self) -> Energies {
         let Simulation { structure, state, .. } = self;
         // In statics the weight grows with the load factor.
-        let weight = if self.model.scene().time.method == Method::Static { state.t } else { 1.0 };
+        let weight = if self.model.scene().time.method == Method::Static { state.load } else { 1.0 };
         Energies {
             kinetic: structure.kinetic_energy(&state.v, &mut DVector::zeros(structure.size())),
-            strain: structure.strain_energy(&state.u, &structure.thermal_strains(state.t)),
+            strain: structure.strain_energy(&state.u, &structure.thermal_strains(state.load)),
             potential: 0.0 - weight * structure.gravity().dot(&state.u),
         }
     }
@@ -511,6 +516,16 @@ impl Simulation {
     pub fn state(&self) -> &State {
         &self.state
     }
+}
+
+/// Warning about an arc-length path that has used up its rows.
+fn short_path(state: &State) -> String {
+    let State { step, load, .. } = state;
+    format!(
+        "the path ends after {step} rows at {} of the load, before it reaches the whole; more `time.load_steps` allow \
+         more rows",
+        time_text(*load)
+    )
 }
 
 impl std::fmt::Debug for Simulation {

@@ -199,6 +199,8 @@ fn motion_factors(rods: &[Rod], kinds: &[UnknownKind]) -> DVector<f64> {
 /// Start, end, and the corners of all histories in between.
 fn times(scene: &Scene) -> Vec<f64> {
     let of_rods = scene.rods.iter().filter_map(|rod| Some(scene.heat(rod)?.history.as_slice()));
+    // In statics the time of a single pair has no meaning.
+    let of_rods = of_rods.filter(|history| history.len() > 1 || scene.time.method != Method::Static);
     let of_forces = scene.forces.iter().filter_map(|force| force.history.as_deref());
     times_of(of_rods.chain(of_forces), scene.time.end)
 }

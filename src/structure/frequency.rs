@@ -6,7 +6,7 @@ use super::rod::{Rod, law};
 use super::rod_elements::ElementMatrix;
 use super::{MassFactors, Structure};
 use crate::elements::{Meaning, ThermalStrain};
-use crate::linear::{Pencil, SingularAt, largest_eigenvalue};
+use crate::linear::{InertiaMemory, Pencil, SingularAt, largest_eigenvalue};
 use crate::model::{self, Element, Scene};
 
 /// State of a vibrating rod: its stretches minus 1 (along, across) and its thermal strain.
@@ -103,7 +103,7 @@ impl Structure {
             let (stretch, eps_t) = states[rod];
             ElementMatrix::Stretched { stretch, eps_t, stiffness: -1.0, mass: sigma }
         });
-        matrix.negative_eigenvalues() == Some(0)
+        matrix.negative_eigenvalues(&mut InertiaMemory::default()) == Some(0)
     }
 
     /// Shortest time in which an axial wave crosses an element, s.

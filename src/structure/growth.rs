@@ -7,7 +7,7 @@ use nalgebra::{DVector, Vector2};
 
 use super::{Factors, Matrix, Structure};
 use crate::elements::ThermalStrain;
-use crate::linear::SingularAt;
+use crate::linear::{InertiaMemory, SingularAt};
 
 impl Structure {
     /// Number of independent directions in which small deviations grow faster than e^(`rate` t): eigenvalues of K x =
@@ -29,7 +29,7 @@ impl Structure {
                 let mut sum = self.assemble_matrix(|rod| shifted.of_rod(rod));
                 self.add_constraints(1.0, &mut sum);
                 // Each independent constraint adds a negative eigenvalue to those of the constrained matrix.
-                sum.negative_eigenvalues()?.checked_sub(self.rows.len())
+                sum.negative_eigenvalues(&mut InertiaMemory::default())?.checked_sub(self.rows.len())
             }
         }
     }

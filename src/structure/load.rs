@@ -5,6 +5,7 @@ use nalgebra::{DVector, Vector2};
 use super::Structure;
 use super::rod::Rod;
 use crate::elements::ThermalStrain;
+use crate::model::Force;
 
 impl Structure {
     /// Generalized force of gravity, constant.
@@ -15,8 +16,14 @@ impl Structure {
     /// Adds `factor` · the generalized point forces at time `t`.
     pub fn add_point_forces(&self, t: f64, factor: f64, sum: &mut DVector<f64>) {
         for (force, place) in self.forces.iter().zip(&self.force_places) {
-            place.add(&(factor * Vector2::from(force.at(t))), sum);
+            place.add(&(factor * self.force_at(force, t)), sum);
         }
+    }
+
+    /// Point force at time `t`. In statics a force without history grows with the load factor `t`.
+    pub(super) fn force_at(&self, force: &Force, t: f64) -> Vector2<f64> {
+        let own = Vector2::from(force.at(t));
+        if self.is_static && force.history.is_none() { t * own } else { own }
     }
 
     /// All external forces at time `t`, or at the load factor `t` in statics.
@@ -33,10 +40,10 @@ impl Structure {
         } else {
             sum.fill(0.0);
         }
-        self.add_point_forces(t, 1.0, sum);
         if self.is_static {
             *sum *= t;
         }
+        self.add_point_forces(t, 1.0, sum);
     }
 
     /// Thermal strain (along, across) of each rod at time `t`, or at the load factor `t` in statics.
@@ -59,6 +66,8 @@ impl Structure {
         if !self.plan.heat {
             return [0.0; 2];
         }
-        if self.is_static { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) }
+        // In statics a single pair is the full heat, which grows with the load factor.
+        let grows = self.is_static && rod.heat.as_ref().is_some_and(|heat| heat.temperature.history.len() == 1);
+        if grows { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) }
     }
 }

@@ -99,12 +99,6 @@ impl Structure {
         self.assemble_matrix(|n| ElementMatrix::Tangent { u, eps_t: thermal[n], stiffness: 1.0, mass: 0.0 })
     }
 
-    /// Number of independent directions in which the equilibrium at the load factor `t` is unstable: negative
-    /// eigenvalues of the tangent. `None` where elimination fails.
-    pub fn unstable_directions(&self, u: &DVector<f64>, t: f64) -> Option<usize> {
-        self.tangent(u, &self.thermal_strains(t)).negative_eigenvalues()
-    }
-
     /// Allocates the factors of a matrix.
     pub fn factors(&self) -> Factors {
         if self.rows.is_empty() {
@@ -174,9 +168,15 @@ impl Structure {
     /// Sum of all elements' matrices; `matrix` chooses one by the number of the rod.
     pub(super) fn assemble_matrix<'a>(&self, matrix: impl Fn(usize) -> ElementMatrix<'a>) -> Bordered {
         let mut sum = Bordered::zeros(&self.layout);
+        self.assemble_matrix_into(matrix, &mut sum);
+        sum
+    }
+
+    /// Sum of all elements' matrices, into a matrix of the structure's layout.
+    pub(super) fn assemble_matrix_into<'a>(&self, matrix: impl Fn(usize) -> ElementMatrix<'a>, sum: &mut Bordered) {
+        sum.clear();
         for n in 0..self.rods.len() {
             self.fill(n, &matrix(n), &mut sum.block(n));
         }
-        sum
     }
 }

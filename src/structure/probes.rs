@@ -138,8 +138,7 @@ impl Structure {
 
     fn point_force(&self, point: PointId, t: f64) -> Vector2<f64> {
         let its = self.forces.iter().filter(|force| force.point == self.points[point.0].0);
-        let full: Vector2<f64> = its.map(|force| Vector2::from(force.at(t))).sum();
-        if self.is_static { t * full } else { full }
+        its.map(|force| self.force_at(force, t)).sum()
     }
 }
 

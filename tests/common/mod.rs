@@ -8,6 +8,7 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 
 pub mod cable;
+pub mod column;
 pub mod motion;
 pub mod pendulum;
 pub mod references;

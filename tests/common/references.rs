@@ -199,7 +199,8 @@ pub fn solve(scene: &Scene) -> Shape {
     scene.clone().build().unwrap();
     let structure = Structure::new(scene).unwrap();
     let mut counts = Counts::default();
-    let mut state = State { step: 0, t: 0.0, u: structure.start().clone(), v: DVector::zeros(structure.size()) };
+    let mut state =
+        State { step: 0, t: 0.0, load: 0.0, u: structure.start().clone(), v: DVector::zeros(structure.size()) };
     let mut method = ancf::internals::integrators::integrator(
         scene,
         &ancf::internals::model::Plan::of(scene),

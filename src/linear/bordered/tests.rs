@@ -212,6 +212,27 @@ proptest! {
         let eigenvalues: Vec<f64> = dense.symmetric_eigenvalues().iter().copied().collect();
         prop_assume!(eigenvalues.iter().all(|value| value.abs() > 1e-3));
         let negative = eigenvalues.iter().filter(|value| **value < 0.0).count();
-        prop_assert_eq!(bordered.negative_eigenvalues(), Some(negative));
+        prop_assert_eq!(bordered.negative_eigenvalues(&mut InertiaMemory::default()), Some(negative));
     }
+}
+
+/// [[0, 1], [1, 0]] has the eigenvalues ±1, and a zero pivot; [[0, 0], [0, 0]] has zeros, which count as negative.
+#[test]
+fn a_zero_pivot_is_shifted_away() {
+    let layout = Layout {
+        blocks: vec![BlockLayout { first: 0, size: 2, band: 1, touches: vec![] }],
+        border: 2,
+        ..Layout::default()
+    };
+    let mut matrix = Bordered::zeros(&Arc::new(layout));
+    let (shift, mut memory) = (DVector::repeat(2, 1e-12), InertiaMemory::default());
+    assert_eq!(matrix.negative_eigenvalues(&mut memory), None);
+    assert_eq!(matrix.negative_eigenvalues_near(&shift, &mut memory), Some(2));
+    matrix.clear();
+    matrix.block(0).add(0, 1, 1.0);
+    matrix.block(0).add(1, 0, 1.0);
+    assert_eq!(matrix.negative_eigenvalues(&mut memory), None);
+    assert_eq!(matrix.negative_eigenvalues_near(&shift, &mut memory), Some(1));
+    matrix.block(0).add(1, 1, f64::NAN);
+    assert_eq!(matrix.negative_eigenvalues_near(&shift, &mut memory), None);
 }

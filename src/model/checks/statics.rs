@@ -3,25 +3,28 @@
 use std::fmt::Display;
 
 use crate::model::check::{Check, require};
-use crate::model::choice::{Method, Quantity, Start};
+use crate::model::choice::{LoadPath, Method, Quantity, Start};
 use crate::model::heat::Temperature;
+use crate::model::history::interpolate;
 use crate::model::scene::Scene;
 
-/// Refuses time-dependent keys in statics.
+/// Refuses keys that need time, and histories that statics cannot follow.
 pub(in crate::model) fn check_statics(scene: &Scene) -> Check {
     if scene.time.method != Method::Static {
         return Ok(());
     }
+    let path = scene.time.path;
     for (i, force) in scene.forces.iter().enumerate() {
-        let allowed = "no history with the method \"static\": forces grow from nothing to their full size";
-        require(force.history.is_none(), format_args!("forces[{i}].history"), "given", allowed)?;
+        if let Some(history) = &force.history {
+            check_history(format_args!("forces[{i}].history"), history, path)?;
+        }
     }
     if let Some(temperature) = &scene.temperature {
-        check_temperature("temperature", temperature)?;
+        check_temperature("temperature", temperature, path)?;
     }
     for (i, rod) in scene.rods.iter().enumerate() {
         if let Some(temperature) = &rod.temperature {
-            check_temperature(format_args!("rods[{i}].temperature"), temperature)?;
+            check_temperature(format_args!("rods[{i}].temperature"), temperature, path)?;
         }
     }
     if let Some(interval) = scene.output.interval {
@@ -38,10 +41,22 @@ pub(in crate::model) fn check_statics(scene: &Scene) -> Check {
     Ok(())
 }
 
-fn check_temperature(key: impl Display, temperature: &Temperature) -> Check {
-    let pairs = temperature.history.len();
-    let allowed = "a single pair [t, dT] with the method \"static\": heat grows from nothing to this dT";
-    require(pairs <= 1, format_args!("{key}.history"), format_args!("{pairs} pairs"), allowed)?;
+/// Checks a history over the load factor: it starts from nothing, as the structure does.
+fn check_history(key: impl Display, history: &[[f64; 2]], path: LoadPath) -> Check {
+    let allowed = "no history with \"path\": \"arc-length\", along which all loads grow and fall together; \"path\": \"load\" \
+                   follows histories";
+    require(path != LoadPath::ArcLength, format_args!("{key}"), "given", allowed)?;
+    let start = interpolate(history, 0.0).unwrap_or(0.0);
+    let allowed = "0 at the load factor 0: with the method \"static\" a history is one of pairs [load factor, value], and the \
+                   structure starts without load; without `history` a force grows to its full size";
+    require(start == 0.0, key, format_args!("{start:?} at the load factor 0"), allowed)
+}
+
+fn check_temperature(key: impl Display, temperature: &Temperature, path: LoadPath) -> Check {
+    // A single pair is the full heat.
+    if temperature.history.len() > 1 {
+        check_history(format_args!("{key}.history"), &temperature.history, path)?;
+    }
     let allowed = "\"sudden\": with the method \"static\" heat grows from nothing, and has no start";
     require(temperature.start == Start::Sudden, format_args!("{key}.start"), "\"relaxed\"", allowed)
 }
