@@ -208,7 +208,7 @@ pub enum Error {
     /// The equilibrium is unstable, so that its error cannot be estimated.
     #[error(
         "the error cannot be estimated, as an equilibrium on the way is unstable, in {directions} direction(s): other equilibria are \
-         near, and the one that a finer run finds says nothing about this one; a small lateral force leads to the stable one"
+         near, and the one that a finer run finds says nothing about this one; an `imperfection` or a small force across leads to the stable one"
     )]
     Unstable {
         /// Number of independent unstable directions, in this run or a refined one.
@@ -218,7 +218,7 @@ pub enum Error {
     #[error(
         "the motion is unstable, so that its error cannot be estimated: a deviation of {deviation:.0e} m at the start grows \
          {amplification:.0e} times and moves {place} by {moved:.1e}, more than the {error:.1e} that its error may be; rounding \
-         decides where such a structure goes, as where a straight rod buckles; a small lateral force makes it definite"
+         decides where such a structure goes, as where a straight rod buckles; an `imperfection` or a small force across decides it"
     )]
     UnstableMotion {
         /// Deviation at the start, m.

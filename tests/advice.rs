@@ -3,8 +3,8 @@
 
 use ancf::error::Error;
 use ancf::model::{
-    Constraints, Element, Force, Material, Method, Motion, Poisson, Probe, Quantity, Rod, Scene, Section, Support,
-    Temperature, ThermalModel,
+    Constraints, Element, Force, Imperfection, Law, LoadPath, Material, Method, Motion, Poisson, Probe, Quantity, Rod,
+    Scene, Section, Support, Temperature, ThermalModel,
 };
 use ancf::run::{Run, run, run_estimated};
 
@@ -112,6 +112,30 @@ fn strut() -> Scene {
     scene
 }
 
+/// A clamped column of 1 m, L/h = 50, under a force along it: a multiple of its Euler load.
+fn column(share: f64) -> Scene {
+    let mut scene = strut();
+    scene.material.nu = 0.0;
+    let critical = 7e10 * 0.02_f64.powi(4) / 12.0 * (0.5 * std::f64::consts::PI).powi(2);
+    scene.forces[0].force = [-share * critical, 0.0];
+    scene
+}
+
+/// Two stubby rods, a shallow roof with a force at its top, beyond the one at which it snaps through.
+fn truss() -> Scene {
+    let mut scene = Scene::new(Material::new(7e10, 0.0, 2700.0), Section::new(0.02, 0.02))
+        .point("left", [-1.0, 0.0])
+        .point("top", [0.0, 0.1])
+        .point("right", [1.0, 0.0])
+        .rod(Rod::new("l", "left", "top").elements(Element::Ancf, 1))
+        .rod(Rod::new("r", "top", "right").elements(Element::Ancf, 1))
+        .support(Support::pinned("left"))
+        .support(Support::pinned("right"));
+    scene.forces.push(Force { point: "top".into(), force: [0.0, -1.5e4], history: None });
+    scene.time.method = Method::Static;
+    scene
+}
+
 /// The allowed number that follows `words` in a message.
 fn number_after(message: &str, words: &str) -> f64 {
     let from = message.find(words).unwrap_or_else(|| panic!("no {words:?} in {message}")) + words.len();
@@ -191,7 +215,8 @@ fn rows() -> Vec<Row> {
         )
         .cure("a smaller `time.step`", step(5e-3)),
         row("a rod that locks", Plain, "locks", strut())
-            .cure("\"poisson\": \"axis\"", |scene| scene.rods[0].poisson = Poisson::Axis),
+            .cure("\"poisson\": \"axis\"", |scene| scene.rods[0].poisson = Poisson::Axis)
+            .cure("\"law\": \"uniaxial\"", |scene| scene.rods[0].law = Law::Uniaxial),
         row("a pulse within a step", Plain, "rises and falls within no more than the step", {
             let mut scene = pulled(Method::EnergyMomentum, 1e-3);
             scene.forces[0].force = [10.0, 0.0];
@@ -260,9 +285,25 @@ fn rows() -> Vec<Row> {
             scene.points.insert("a".into(), [0.0, 1.0]);
             scene
         })
-        .cure("a small lateral force", |scene| {
+        .cure("an `imperfection`", |scene| scene.imperfection = Some(Imperfection::of_rod("rod", 1e-3)))
+        .cure("a small force across", |scene| {
             scene.forces.push(Force { point: "a".into(), force: [1.0, 0.0], history: None });
         }),
+        row("a column above its Euler load", Plain, "the equilibrium", column(1.1))
+            .cure("an `imperfection`", |scene| scene.imperfection = Some(Imperfection::of_rod("rod", 1e-3)))
+            .cure("a small force across", |scene| scene.forces[0].force[1] = 1.0),
+        row("an estimate of it", Estimated, "the equilibrium found is unstable", column(1.1))
+            .cure("an `imperfection`", |scene| scene.imperfection = Some(Imperfection::of_rod("rod", 1e-3)))
+            .cure("a small force across", |scene| scene.forces[0].force[1] = 1.0),
+        row("a truss that snaps through", Plain, "no equilibrium was found", truss())
+            .cure("`\"path\": \"arc-length\"` in `time`", |scene| scene.time.path = LoadPath::ArcLength),
+        row("a setting without effect", Plain, "which has no use for it", {
+            let mut scene = pendulum(Method::EnergyMomentum, 1e-3);
+            scene.time.rho_inf = 0.5;
+            scene
+        })
+        .cure("nothing with the method", |scene| scene.time.rho_inf = 0.9)
+        .cure("\"generalized-alpha\"", method(Method::GeneralizedAlpha)),
     ]
 }
 

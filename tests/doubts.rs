@@ -257,3 +257,20 @@ fn a_badly_resolved_shock_is_warned_of() {
     assert!(warned(Method::Gauss, 1e-3) && !warned(Method::Gauss, 5e-4));
     assert!(!warned(Method::GaussAdaptive, 1e-3) && !warned(Method::Explicit, 1e-5));
 }
+
+/// Forces whose sum is 0 but for rounding, and a force that the slide takes but for rounding, are no loads that rounding could exceed.
+#[test]
+fn what_rounding_leaves_of_forces_is_no_load() {
+    let mut cancelling = Scene::builtin("pendulum-flexible").unwrap().method(Method::EnergyMomentum, 1e-3).until(0.1);
+    cancelling.forces = [0.1, 0.2, -0.3].map(|x| force("a", [x, 0.0], None)).into();
+    let mut held = cancelling.clone();
+    held.points.insert("a".into(), [1.0, 0.5]);
+    let slide = |point: &str| Support { point: point.into(), fix: vec![], slide: Some([0.6, 0.8]), clamp: None };
+    held.supports = vec![slide("o"), slide("a")];
+    held.forces = vec![force("o", [-8.0, 6.0], None)];
+    (held.gravity, held.material.youngs_modulus) = ([0.0; 2], 7e10);
+    held.motion = Some(Motion { velocity: [0.6, 0.8], omega: 0.0, about: [0.0; 2] });
+    for scene in [cancelling, held] {
+        assert_eq!(run(&scene).unwrap().warnings, Vec::<String>::new());
+    }
+}

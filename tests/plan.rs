@@ -162,7 +162,7 @@ fn parts_say_what_is_computed() {
         let computed: Vec<bool> = plan.parts(&scene).iter().map(|part| part.computed).collect();
         let Plan { heat, poisson, weight, energy, acceleration, multipliers, new_matrices } = plan;
         let tangents = !scene.time.method.is_explicit();
-        let expected = [heat, poisson, weight, multipliers, energy, acceleration, tangents, new_matrices];
+        let expected = [heat, poisson, weight, multipliers, energy, acceleration, true, tangents, new_matrices];
         assert_eq!(computed, expected, "{name}");
     }
 }

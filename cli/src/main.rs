@@ -45,8 +45,8 @@ enum Command {
     Run {
         /// Name of a built-in scene, or path of a scene file.
         scene: String,
-        /// Estimate the errors of positions in time and space by finer runs: some five times the work. Velocities, reactions and energies are
-        /// not estimated.
+        /// Estimate the errors of all columns in time and space by finer runs, and try the stability of the motion by a perturbed
+        /// one: some six times the work.
         #[arg(long)]
         estimate: bool,
         #[command(flatten)]

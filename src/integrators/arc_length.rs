@@ -48,8 +48,7 @@ const ALIGNMENT: f64 = std::f64::consts::FRAC_1_SQRT_2;
 const LOAD_AGREEMENT: f64 = 0.5;
 
 /// Advice for a path that ends.
-const ADVICE: &str =
-    "if it buckles there, a small force across shows where to; more `elements` help where rods bend far";
+const ADVICE: &str = "if it buckles there, an `imperfection` or a small force across shows where to; more `elements` help where rods bend far";
 
 /// Arc-length method: rows along the path of equilibria.
 #[derive(Debug)]

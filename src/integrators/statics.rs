@@ -31,12 +31,12 @@ const SHORTEST_PART: f64 = 1.0 / (1 << 20) as f64;
 const PATIENCE: usize = 2;
 
 /// Advice for a path that ends: most structures snap through there.
-const ADVICE: &str = "if it snaps through there, `\"path\": \"arc-length\"` in `time` follows it; if it buckles, a small force across \
+const ADVICE: &str = "if it snaps through there, `\"path\": \"arc-length\"` in `time` follows it; if it buckles, an `imperfection` or a small force across \
                       shows where to; more `elements` help where rods bend far";
 
 /// Advice for loads with histories, which an arc length cannot follow.
 const ADVICE_WITH_HISTORIES: &str = "if it snaps through there, `\"path\": \"arc-length\"` in `time` follows it where loads and heat have no \
-                                     `history`; if it buckles, a small force across shows where to; more `elements` help where rods \
+                                     `history`; if it buckles, an `imperfection` or a small force across shows where to; more `elements` help where rods \
                                      bend far";
 
 /// Static method: load steps, with the load factor in place of time.

@@ -119,6 +119,15 @@ impl Plan {
                 },
             ),
             part(
+                "looks at stability",
+                true,
+                match scene.time.method {
+                    Method::Static => "each row is judged by the eigenvalues of its tangent",
+                    _ if explicit => "one every 500 steps tells whether small deviations grow",
+                    _ => "one every 64 steps tells whether small deviations grow",
+                },
+            ),
+            part(
                 "tangents",
                 !explicit,
                 if explicit { "the method is explicit" } else { "Newton's iteration needs them" },

@@ -57,7 +57,7 @@ impl Equilibria {
             let now = if self.is_unstable_now { "" } else { ", the last one is stable again" };
             format!(
                 "the equilibria from {} of the load on are unstable{before}, in {directions} direction(s){now}: the structure is loaded \
-                 beyond its buckling load and would leave this position; a small lateral force shows in which direction",
+                 beyond its buckling load and would leave this position; an `imperfection` or a small force across shows where to",
                 time_text(from)
             )
         });

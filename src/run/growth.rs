@@ -134,7 +134,7 @@ impl GrowthWatch {
         Some(format!(
             "the motion is unstable between t = {from:.3e} s and {to:.3e} s at least: small deviations grow by a factor of e^{folds:.0}, in \
              {directions} direction(s), as when a rod buckles; a perfect structure may stay as it is where a real one would not; \
-             `--estimate` runs a slightly perturbed structure beside it, and an imperfection or a small lateral force shows where it goes"
+             `--estimate` runs a slightly perturbed structure beside it, and an `imperfection` or a small force across shows where it goes"
         ))
     }
 }
