@@ -7,10 +7,10 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
-use ancf::model::{Model, ThermalModel};
-use ancf::run::{run_estimated, run_with_progress};
+use ancf::model::{Model, Scene, ThermalModel};
+use ancf::run::{Run, Simulation, Trajectory};
 use ancf_conform::{Options, Report, Suite, equations_text, examine, load_state};
-use ancf_study::files::Files;
+use ancf_study::files::{Files, written_lines};
 use ancf_study::{error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
@@ -202,8 +202,22 @@ fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Pat
     let model = load(name, options)?;
     let scene = model.scene();
     // First, so that a folder that cannot be written is not found after the run.
-    let files = Files::in_folder(folder)?;
+    let files = Files::in_folder(folder, report::FILES, &[Path::new(name)])?;
     let clock = Instant::now();
+    let mut simulation = match Simulation::new(model.clone()) {
+        Ok(simulation) => simulation,
+        Err(error) if error.is_bad_input() => return Err(error.into()),
+        Err(error) => {
+            let trajectory = Trajectory { columns: scene.columns(), ..Trajectory::default() };
+            return failed_run(
+                files,
+                scene,
+                &Run { trajectory, ..Run::default() },
+                error,
+                clock.elapsed().as_secs_f64(),
+            );
+        }
+    };
     let bar = progress(scene.steps());
     // The time of the run itself, without those that its estimate needs.
     let wall_seconds = Cell::new(0.0);
@@ -211,13 +225,23 @@ fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Pat
         bar.set_position(step as u64);
         wall_seconds.set(clock.elapsed().as_secs_f64());
     };
-    let run = if estimate { run_estimated(model.clone(), on_step) } else { run_with_progress(model.clone(), on_step) };
+    let outcome =
+        if estimate { simulation.finish_estimated(on_step) } else { simulation.finish_with_progress(on_step) };
     bar.finish_and_clear();
-    let run = run?;
     let wall_seconds = wall_seconds.get();
-    let paths = report::write_run(files, scene, &run, wall_seconds)?;
-    let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
-    Ok(print(&(report::run_text(scene, &run, wall_seconds) + &written))?)
+    match outcome {
+        Ok(run) => {
+            let paths = report::write_run(files, scene, &run, None, wall_seconds)?;
+            Ok(print(&(report::run_text(scene, &run, wall_seconds) + &written_lines(&paths)))?)
+        }
+        Err(error) => failed_run(files, scene, &simulation.into_run(), error, wall_seconds),
+    }
+}
+
+/// Writes what there is of a run that failed, and returns its error.
+fn failed_run(files: Files, scene: &Scene, run: &Run, error: ancf::error::Error, wall_seconds: f64) -> Result<()> {
+    report::write_run(files, scene, run, Some(&error), wall_seconds)?;
+    Err(error.into())
 }
 
 /// The model of a name or path, with the changes that options ask for.
@@ -240,21 +264,26 @@ fn print_equations(state: &str) -> Result<()> {
     Ok(print(&equations_text(&load_state(state)?)?)?)
 }
 
+/// Files that `ancf conform` writes.
+const CONFORM_FILES: [&str; 2] = ["conformance.json", "conformance.md"];
+
 /// `ancf conform`.
 fn conform(command: &[String], fixtures: Option<&Path>, options: Options, folder: &Path) -> Result<()> {
     let suite = fixtures.map_or_else(Suite::embedded, Suite::load)?;
-    let mut files = Files::in_folder(folder)?;
+    let words = command.iter().map(Path::new).chain(fixtures);
+    let mut files = Files::in_folder(folder, CONFORM_FILES, &words.collect::<Vec<_>>())?;
     let bar = ProgressBar::new(100);
     let examination = examine(&suite, command, options, |share| bar.set_position((100.0 * share) as u64));
     bar.finish_and_clear();
-    let report = Report::new(&suite, &examination?);
+    let mut report = Report::new(&suite, &examination?);
     let text = report.markdown();
     // Keys of JSON in alphabetical order.
+    files.identify(serde_json::to_value(&report).unwrap_or_default().to_string().as_bytes());
+    report.run = files.run_id();
     files.write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &serde_json::to_value(&report)?)?))?;
-    files.write("conformance.md", |file| file.write_all(text.as_bytes()))?;
+    files.write_text("conformance.md", text.clone())?;
     let paths = files.publish()?;
-    let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
-    print(&format!("{text}\n{written}"))?;
+    print(&format!("{text}\n{}", written_lines(&paths)))?;
     if report.passes { Ok(()) } else { Err(Error::NotConforming { summary: report.summary() }) }
 }
 
@@ -266,8 +295,7 @@ fn print_plan(name: &str, options: &ScissorsOptions) -> Result<()> {
 
 /// `ancf error-time --references`.
 fn write_references(scenes: &[String], folder: &Path) -> Result<()> {
-    let paths = error_time::references(scenes, folder)?;
-    Ok(print(&paths.iter().map(|file| format!("wrote {}\n", file.display())).collect::<String>())?)
+    Ok(print(&written_lines(&error_time::references(scenes, folder)?))?)
 }
 
 /// A bar with the time left, on a terminal; nothing in a pipe.

@@ -63,31 +63,54 @@ where
     M: TryInto<Model>,
     Error: From<M::Error>,
 {
-    let model = model.try_into()?;
-    let scene = &model.scene().clone();
-    let observer = Observer::of(scene);
-    let (mut own, seen) = observer.run_with_progress(Simulation::of(model)?, on_step)?;
-    let (finer, in_time, seen_in_time, how) = refine_in_time(&observer, &own)?;
-    let time = observer.changes(&seen, &seen_in_time, |_| true);
+    Simulation::of(model.try_into()?)?.finish_estimated(on_step)
+}
+
+impl Simulation {
+    /// [`finish_with_progress`](Simulation::finish_with_progress) with an estimate of the errors, from a simulation that has made no
+    /// step yet. Where the estimate fails, the rows are still to be read.
+    ///
+    /// # Errors
+    /// Those of [`run_estimated`].
+    pub fn finish_estimated(&mut self, on_step: impl FnMut(usize)) -> Result<Run> {
+        let scene = &self.model().scene().clone();
+        let observer = Observer::of(scene);
+        let (mut own, seen) = observer.run_with_progress(self, on_step)?;
+        match accuracy(&observer, &own, &seen) {
+            Ok(accuracy) => own.accuracy = accuracy,
+            Err(error) => {
+                self.put_back(own.trajectory);
+                return Err(error);
+            }
+        }
+        Ok(own)
+    }
+}
+
+/// Estimated errors of a run that was observed.
+fn accuracy(observer: &Observer, own: &Run, seen: &Observations) -> Result<Accuracy> {
+    let scene = observer.scene;
+    let (finer, in_time, seen_in_time, how) = refine_in_time(observer, own)?;
+    let time = observer.changes(seen, &seen_in_time, |_| true);
 
     // Explicit steps must be shorter on a finer mesh, so that the comparison uses equally short ones.
     let explicit = scene.time.method.is_explicit();
-    let (base, seen_of_base) = if explicit { (&finer, &seen_in_time) } else { (scene, &seen) };
+    let (base, seen_of_base) = if explicit { (&finer, &seen_in_time) } else { (scene, seen) };
     let mut mesh = base.clone();
     mesh.rods.iter_mut().for_each(|rod| rod.elements *= 2);
     let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
     let (on_finer, seen_on_finer) = stable_simulation(mesh)
-        .and_then(|mesh| observer.run_with_progress(mesh, |_| ()))
+        .and_then(|mut mesh| observer.run_with_progress(&mut mesh, |_| ()))
         .map_err(|error| no_estimate(&on_mesh, error))?;
     let space = observer.changes(seen_of_base, &seen_on_finer, |_| true);
 
-    let directions = [&own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
+    let directions = [own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
     if directions > 0 {
         return Err(Error::Unstable { directions });
     }
-    observer.judge(&seen, &time, &space)?;
+    observer.judge(seen, &time, &space)?;
     let worst = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
-    let pairs = [(&seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
+    let pairs = [(seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
     let at_rows = pairs.map(|(own, finer)| worst(observer.changes(own, finer, |is_row| is_row))).iter().sum();
     let [time, space] = [time, space].map(worst);
     let when = observer.schedule();
@@ -97,8 +120,7 @@ where
         );
         Some(Estimate { value, unit: "m", method })
     };
-    own.accuracy = Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh), at_rows: Some(at_rows) };
-    Ok(own)
+    Ok(Accuracy { time: estimate(time, &how), space: estimate(space, &on_mesh), at_rows: Some(at_rows) })
 }
 
 fn no_estimate(what: &str, error: Error) -> Error {

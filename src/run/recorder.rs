@@ -130,9 +130,17 @@ impl Recorder {
         self.rows.get(..self.written).unwrap_or_default()
     }
 
-    pub fn into_trajectory(mut self) -> Trajectory {
-        self.rows.truncate(self.written);
-        Trajectory { columns: self.columns, rows: self.rows }
+    /// Hands over the rows recorded so far; none are left.
+    pub fn take_trajectory(&mut self) -> Trajectory {
+        let mut rows = std::mem::take(&mut self.rows);
+        rows.truncate(std::mem::take(&mut self.written));
+        Trajectory { columns: self.columns.clone(), rows }
+    }
+
+    /// Takes rows back.
+    pub fn put_back(&mut self, trajectory: Trajectory) {
+        self.written = trajectory.rows.len();
+        self.rows = trajectory.rows;
     }
 }
 

@@ -6,6 +6,7 @@ use super::accuracy::Accuracy;
 use super::monitor::Monitor;
 use super::recorder::Recorder;
 use super::result::Run;
+use super::trajectory::Trajectory;
 use super::warnings::warnings;
 use crate::error::{Error, Result, time_text};
 use crate::integrators::{Counts, EquationOfMotion, Integrator, State, integrator};
@@ -242,17 +243,50 @@ impl Simulation {
         result
     }
 
-    /// Advances to the end of the scene and returns its rows, counters and warnings.
+    /// Advances to the end of the scene and hands over its rows, counters and warnings. Where that fails, the rows until then
+    /// are still to be read.
+    ///
+    /// ```
+    /// use ancf::{model::{Method, Scene}, run::Simulation};
+    ///
+    /// let scene = Scene::builtin("pendulum-2d").unwrap().method(Method::EnergyMomentum, 0.01);
+    /// let mut too_sudden = Simulation::new(scene)?;
+    /// assert!(too_sudden.finish().is_err());
+    /// assert!(too_sudden.rows().last().unwrap()[0] < 1.0);
+    /// # Ok::<(), ancf::error::Error>(())
+    /// ```
     ///
     /// # Errors
     /// Those of [`step`](Simulation::step); [`Error::LostInRounding`] where rounding is most of a static displacement.
-    pub fn finish(mut self) -> Result<Run> {
-        while self.step()? {}
+    pub fn finish(&mut self) -> Result<Run> {
+        self.finish_with_progress(|_| ())
+    }
+
+    /// [`finish`](Simulation::finish) that calls `on_step` after each step with the number of steps done, of [`Scene::steps`].
+    ///
+    /// # Errors
+    /// Those of [`finish`](Simulation::finish).
+    pub fn finish_with_progress(&mut self, mut on_step: impl FnMut(usize)) -> Result<Run> {
+        while self.step()? {
+            on_step(self.done);
+        }
         let mut warnings = warnings(self.model.scene());
         let unstable_directions = self.monitor.end(&self.structure, &self.state, &mut warnings)?;
         warnings.extend(self.recorder.imbalance_warning(&self.structure));
-        let (trajectory, counts) = (self.recorder.into_trajectory(), self.counts);
+        let (trajectory, counts) = (self.recorder.take_trajectory(), self.counts);
         Ok(Run { trajectory, counts, warnings, unstable_directions, accuracy: Accuracy::default() })
+    }
+
+    /// What there is of the run until now, without its warnings; of a run that failed the rows until then.
+    pub fn into_run(mut self) -> Run {
+        let trajectory = self.recorder.take_trajectory();
+        let (counts, accuracy) = (self.counts, Accuracy::default());
+        Run { trajectory, counts, warnings: Vec::new(), unstable_directions: 0, accuracy }
+    }
+
+    /// Takes rows back that [`finish`](Simulation::finish) handed over.
+    pub(super) fn put_back(&mut self, trajectory: Trajectory) {
+        self.recorder.put_back(trajectory);
     }
 
     /// Makes steps of the method until the time `t`, and monitors each of them. This loop allocates no memory.
@@ -506,7 +540,7 @@ where
     M: TryInto<Model>,
     Error: From<M::Error>,
 {
-    run_watched(Simulation::new(model)?, on_step, |_| ())
+    Simulation::new(model)?.finish_with_progress(on_step)
 }
 
 /// Runs a scene with a given plan, which may compute more than the scene needs.
@@ -514,7 +548,7 @@ where
 /// # Errors
 /// Those of [`Simulation::planned`] and [`Simulation::finish`].
 pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(usize)) -> Result<Run> {
-    run_watched(Simulation::planned(scene.try_into()?, plan)?, on_step, |_| ())
+    Simulation::planned(scene.try_into()?, plan)?.finish_with_progress(on_step)
 }
 
 /// Runs a simulation to its end; `see` is called at the start and after each step.
@@ -522,13 +556,13 @@ pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(usize)) -> Re
 /// # Errors
 /// Those of [`Simulation::finish`].
 pub fn run_watched(
-    mut simulation: Simulation,
+    simulation: &mut Simulation,
     mut on_step: impl FnMut(usize),
     mut see: impl FnMut(&Simulation),
 ) -> Result<Run> {
-    see(&simulation);
+    see(simulation);
     while simulation.step()? {
-        see(&simulation);
+        see(simulation);
         on_step(simulation.steps_done());
     }
     simulation.finish()

@@ -30,6 +30,10 @@ pub struct Report {
     /// Name and version of this format.
     #[schemars(extend("const" = SCHEMA))]
     pub schema: &'static str,
+    /// Run id, which the report's files share: the first 16 hexadecimal digits of the SHA-256 of this report without it. Empty until the
+    /// report is written.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub run: String,
     /// Version of `ancf`.
     pub ancf: &'static str,
     /// Version of each fixture file.
@@ -193,6 +197,7 @@ impl Report {
         let hello = examination.hello.as_ref();
         Report {
             schema: SCHEMA,
+            run: String::new(),
             ancf: env!("CARGO_PKG_VERSION"),
             fixtures: suite.versions.clone(),
             program: Program {

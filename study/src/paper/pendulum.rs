@@ -181,6 +181,9 @@ pub fn curves(models: &[Model]) -> Trajectory {
     }
 }
 
+/// File names of [`pictures`].
+pub const PICTURES: [&str; 3] = ["figure3.svg", "figure4.svg", "figure4-relaxed.svg"];
+
 /// The paper's Figure 3, and its Figure 4 for both starts, with the solid in place of ANSYS; with their file names.
 pub fn pictures(models: &[Model], rigid: &Tip, continuum: &Continuum) -> Result<Vec<(&'static str, String)>> {
     let [flexible, ..] = models else { return Ok(Vec::new()) };
