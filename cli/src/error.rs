@@ -15,6 +15,14 @@ pub enum Error {
     /// A program under test could not be judged.
     #[error(transparent)]
     Conform(#[from] ancf_conform::Error),
+    /// A program under test is right where it was asked, and was asked only a part.
+    #[error(
+        "the program is only partly checked: {what}; allowed: answers in all cases of what it implements, or `--allow-partial`"
+    )]
+    PartlyChecked {
+        /// What was checked in part.
+        what: String,
+    },
     /// A program under test is wrong somewhere.
     #[error("the program does not conform: {summary}")]
     NotConforming {
@@ -24,13 +32,14 @@ pub enum Error {
 }
 
 impl Error {
-    /// Exit code: 1 the run or a comparison failed, 2 bad input.
+    /// Exit code: 1 the run or a comparison failed, 2 bad input, 3 right where asked, but only partly checked.
     pub fn exit_code(&self) -> u8 {
         let is_bad_input = match self {
             Error::Run(error) => error.is_bad_input(),
             Error::Study(error) => error.is_bad_input(),
             Error::Conform(_) => true,
             Error::NotConforming { .. } => false,
+            Error::PartlyChecked { .. } => return 3,
         };
         if is_bad_input { 2 } else { 1 }
     }

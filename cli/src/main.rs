@@ -10,6 +10,7 @@ use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
 use ancf::model::{Model, Scene, ThermalModel};
 use ancf::run::{Run, Simulation, Trajectory};
 use ancf_conform::{Options, Report, Suite, equations_text, examine, load_state};
+use ancf_study::escape;
 use ancf_study::files::{Files, written_lines};
 use ancf_study::{error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -107,6 +108,9 @@ enum Command {
         /// Never hand over intermediate values, also to a program that takes them.
         #[arg(long)]
         no_given: bool,
+        /// Exit code 0 in place of 3 for a program that is right, but answers what it implements in some cases only.
+        #[arg(long)]
+        allow_partial: bool,
         #[command(flatten)]
         out: Out,
         /// The program and its arguments; it answers lines of JSON with lines of JSON (fixtures/README.md).
@@ -178,9 +182,9 @@ fn main() -> ExitCode {
             error_time::study(&options, &out.folder, print).map_err(Error::from)
         }
         Some(Command::Equations { state }) => print_equations(state),
-        Some(Command::Conform { fixtures, time_limit, no_given, out, command }) => {
+        Some(Command::Conform { fixtures, time_limit, no_given, allow_partial, out, command }) => {
             let options = Options { time_limit: *time_limit, given: !no_given };
-            conform(command, fixtures.as_deref(), options, &out.folder)
+            conform(command, fixtures.as_deref(), options, *allow_partial, &out.folder)
         }
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
@@ -191,7 +195,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             // Without a standard error there is nobody left to tell.
-            let _ = writeln!(io::stderr(), "error: {error}");
+            let _ = writeln!(io::stderr(), "error: {}", escape::line(&error.to_string()));
             ExitCode::from(error.exit_code())
         }
     }
@@ -261,14 +265,20 @@ fn seconds(text: &str) -> std::result::Result<Duration, String> {
 
 /// `ancf equations`.
 fn print_equations(state: &str) -> Result<()> {
-    Ok(print(&equations_text(&load_state(state)?)?)?)
+    Ok(print(&equations_text(&load_state(state)?, state)?)?)
 }
 
 /// Files that `ancf conform` writes.
 const CONFORM_FILES: [&str; 2] = ["conformance.json", "conformance.md"];
 
 /// `ancf conform`.
-fn conform(command: &[String], fixtures: Option<&Path>, options: Options, folder: &Path) -> Result<()> {
+fn conform(
+    command: &[String],
+    fixtures: Option<&Path>,
+    options: Options,
+    allow_partial: bool,
+    folder: &Path,
+) -> Result<()> {
     let suite = fixtures.map_or_else(Suite::embedded, Suite::load)?;
     let words = command.iter().map(Path::new).chain(fixtures);
     let mut files = Files::in_folder(folder, CONFORM_FILES, &words.collect::<Vec<_>>())?;
@@ -284,7 +294,13 @@ fn conform(command: &[String], fixtures: Option<&Path>, options: Options, folder
     files.write_text("conformance.md", text.clone())?;
     let paths = files.publish()?;
     print(&format!("{text}\n{}", written_lines(&paths)))?;
-    if report.passes { Ok(()) } else { Err(Error::NotConforming { summary: report.summary() }) }
+    if !report.passes {
+        return Err(Error::NotConforming { summary: report.summary() });
+    }
+    match report.partly_checked_text() {
+        what if !what.is_empty() && !allow_partial => Err(Error::PartlyChecked { what }),
+        _ => Ok(()),
+    }
 }
 
 /// `ancf plan`.
@@ -328,10 +344,10 @@ fn list_scenes() -> Result<()> {
     Ok(print(&list)?)
 }
 
-/// Prints on standard output; that a reader like `head` has seen enough is no error.
+/// Prints on standard output, without what a terminal would obey; that a reader like `head` has seen enough is no error.
 fn print(text: &str) -> ancf_study::error::Result<()> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(escape::terminal(text).as_bytes()).and_then(|()| out.flush()) {
         Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
             Err(ancf_study::error::Error::Write { path: "standard output".into(), source })
         }

@@ -111,7 +111,7 @@ pub(crate) mod tests {
         let mut rows = vec![vec![0.0; 10], AWKWARD.iter().chain(&[0.0; 4]).copied().collect()];
         (rows[0][5], rows[0][9]) = (2.0, -3e-7);
         rows[1][9] = 2e-7;
-        let trajectory = Trajectory { columns: scene.columns(), rows };
+        let trajectory = Trajectory { columns: scene.columns(), rows: rows.into_iter().collect() };
         let counts = Counts {
             steps: 1,
             rejected: 0,

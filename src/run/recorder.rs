@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::energy::Energy;
-use super::trajectory::Trajectory;
+use super::trajectory::{Rows, Trajectory};
 use crate::error::{Error, Result};
 use crate::integrators::{Counts, EquationOfMotion, State};
 use crate::model::plan::Plan;
@@ -14,9 +14,8 @@ use crate::structure::{Instant, PointId, RodId, Structure};
 pub struct Recorder {
     columns: Vec<String>,
     readings: Vec<Reading>,
-    /// Memory for all rows; below, the number of rows recorded.
-    rows: Vec<Vec<f64>>,
-    written: usize,
+    /// Rows recorded, with memory for all of them.
+    rows: Rows,
     /// Equation of motion, if a probe needs an acceleration or a reaction.
     motion: Option<EquationOfMotion>,
     /// Accelerations; below, multipliers of the equation of motion. Zero where no probe needs them.
@@ -38,14 +37,18 @@ impl Recorder {
         counts: &mut Counts,
     ) -> Result<Recorder> {
         let columns = scene.columns();
-        let rows = (0..=scene.steps()).filter(|step| scene.is_row(*step));
+        let count = (0..=scene.steps()).filter(|step| scene.is_row(*step)).count();
+        let rows = Rows::with_memory(columns.len(), count).map_err(|_| Error::OutOfMemory {
+            what: format!("the rows of the trajectory, {count} of {} columns,", columns.len()),
+            gigabytes: 8e-9 * (count * columns.len()) as f64,
+            allowed: "a longer `output.interval`, fewer probes, or a computer with more memory".into(),
+        })?;
         let probed = scene.probes.iter().flat_map(|probe| probe.of.iter().map(move |quantity| (probe, *quantity)));
         let zeros = || DVector::zeros(structure.size());
         Ok(Recorder {
             readings: probed.map(|(probe, quantity)| Reading::of(structure, probe, quantity)).collect::<Result<_>>()?,
-            rows: rows.map(|_| Vec::with_capacity(columns.len())).collect(),
+            rows,
             columns,
-            written: 0,
             motion: plan.acceleration.then(|| EquationOfMotion::new(structure, counts)).transpose()?,
             a: zeros(),
             multipliers: zeros(),
@@ -73,7 +76,26 @@ impl Recorder {
         }
     }
 
+    /// Records a row.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], and those of the energies; there is no such row then.
     pub fn record(
+        &mut self,
+        structure: &Structure,
+        state: &State,
+        multipliers: Option<&DVector<f64>>,
+        counts: &mut Counts,
+    ) -> Result<()> {
+        let before = self.rows.len();
+        let recorded = self.record_row(structure, state, multipliers, counts);
+        if recorded.is_err() {
+            self.rows.truncate(before);
+        }
+        recorded
+    }
+
+    fn record_row(
         &mut self,
         structure: &Structure,
         state: &State,
@@ -87,10 +109,11 @@ impl Recorder {
         }
         let multipliers = multipliers.unwrap_or(&self.multipliers);
         let now = Instant { u: &state.u, a: &self.a, t: state.t, multipliers };
-        let Some(row) = self.rows.get_mut(self.written) else { return Ok(()) };
-        // A failed attempt may have left its numbers.
-        row.clear();
-        row.push(state.t);
+        if self.rows.is_full() {
+            return Ok(());
+        }
+        let (before, row) = (self.rows.len(), &mut self.rows);
+        row.extend([state.t]);
         for reading in &self.readings {
             match *reading {
                 Reading::Position(point) => row.extend(structure.position(point, &state.u)),
@@ -98,20 +121,19 @@ impl Recorder {
                 Reading::Acceleration(point) => row.extend(structure.at_point(point, now.a)),
                 Reading::Reaction(point) => row.extend(structure.reaction(point, now)),
                 Reading::ForceOnRod(point, rod) => row.extend(structure.force_on_rod(point, rod, now)),
-                Reading::Deflection(rod, at) => row.push(structure.deflection(rod, at, &state.u)),
+                Reading::Deflection(rod, at) => row.extend([structure.deflection(rod, at, &state.u)]),
             }
         }
         let energies = self.energy.as_mut().map(|energy| energy.row(structure, state));
         if self.has_energies {
-            row.extend(energies.iter().flatten());
+            row.extend(energies.into_iter().flatten());
         }
-        if !row.iter().all(|value| value.is_finite()) {
+        if !row.after(before).iter().all(|value| value.is_finite()) {
             return Err(Error::NotFinite { quantity: "the output", time: state.t, step: state.step });
         }
         if let (Some(energy), Some(energies)) = (&mut self.energy, energies) {
             energy.check(energies, structure, state, self.method)?;
         }
-        self.written += 1;
         Ok(())
     }
 
@@ -126,20 +148,17 @@ impl Recorder {
     }
 
     /// Rows recorded so far.
-    pub fn rows(&self) -> &[Vec<f64>] {
-        self.rows.get(..self.written).unwrap_or_default()
+    pub fn rows(&self) -> &Rows {
+        &self.rows
     }
 
     /// Hands over the rows recorded so far; none are left.
     pub fn take_trajectory(&mut self) -> Trajectory {
-        let mut rows = std::mem::take(&mut self.rows);
-        rows.truncate(std::mem::take(&mut self.written));
-        Trajectory { columns: self.columns.clone(), rows }
+        Trajectory { columns: self.columns.clone(), rows: std::mem::take(&mut self.rows) }
     }
 
     /// Takes rows back.
     pub fn put_back(&mut self, trajectory: Trajectory) {
-        self.written = trajectory.rows.len();
         self.rows = trajectory.rows;
     }
 }

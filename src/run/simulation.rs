@@ -488,7 +488,7 @@ impl Simulation {
     /// # Ok::<(), ancf::error::Error>(())
     /// ```
     pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
-        self.recorder.rows().iter().map(Vec::as_slice)
+        self.recorder.rows().iter()
     }
 
     /// Structure, for [`Integrator`]s of your own.

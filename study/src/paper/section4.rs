@@ -172,6 +172,7 @@ pub fn curves(structure: &Structure) -> Trajectory {
     }
     let every = (2e-3 / STEP).round() as usize;
     let rows = signals.first().map_or(0, Vec::len);
-    let row = |n: usize| std::iter::once(signals[0][n].0).chain(signals.iter().map(|signal| signal[n].1)).collect();
+    let row =
+        |n: usize| std::iter::once(signals[0][n].0).chain(signals.iter().map(|signal| signal[n].1)).collect::<Vec<_>>();
     Trajectory { columns, rows: (0..rows).step_by(every).map(row).collect() }
 }
