@@ -12,6 +12,14 @@ pub enum Error {
     /// A study, or an output file.
     #[error(transparent)]
     Study(#[from] ancf_study::error::Error),
+    /// A run failed, and so did the writing of its rows.
+    #[error("{error}; its rows are lost: {unwritten}")]
+    Unwritten {
+        /// Error of the run.
+        error: ancf::error::Error,
+        /// Error of its files.
+        unwritten: Box<Error>,
+    },
     /// A program under test could not be judged.
     #[error(transparent)]
     Conform(#[from] ancf_conform::Error),
@@ -37,6 +45,7 @@ impl Error {
         let is_bad_input = match self {
             Error::Run(error) => error.is_bad_input(),
             Error::Study(error) => error.is_bad_input(),
+            Error::Unwritten { error, .. } => error.is_bad_input(),
             Error::Conform(_) => true,
             Error::NotConforming { .. } => false,
             Error::PartlyChecked { .. } => return 3,

@@ -244,8 +244,10 @@ fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Pat
 
 /// Writes what there is of a run that failed, and returns its error.
 fn failed_run(files: Files, scene: &Scene, run: &Run, error: ancf::error::Error, wall_seconds: f64) -> Result<()> {
-    report::write_run(files, scene, run, Some(&error), wall_seconds)?;
-    Err(error.into())
+    match report::write_run(files, scene, run, Some(&error), wall_seconds) {
+        Ok(_) => Err(error.into()),
+        Err(unwritten) => Err(Error::Unwritten { error, unwritten: Box::new(unwritten) }),
+    }
 }
 
 /// The model of a name or path, with the changes that options ask for.

@@ -1,5 +1,8 @@
 //! Listing of every equation's value in one state, for debugging by eye.
 
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
 use ancf::internals::equations::{CONTENTS, Entry, Form};
 use ancf::internals::state::evaluate_system;
 use ancf::state::{ThermalModel, evaluate, evaluate_cable};
@@ -25,7 +28,7 @@ const STRUCTURE_HEAD: &str = "Values in SI units, from the terms of (23) that ar
 /// [`Error::NotFinite`] for a state whose numbers lead out of the range of f64; [`Error::Suite`] if the embedded fixtures, which describe
 /// the quantities, are malformed.
 pub fn equations_text(state: &State, name: &str) -> Result<String> {
-    let quantities = Suite::embedded()?.quantities;
+    let quantities = quantities()?;
     let (head, points): (&str, &[[f64; 2]]) = match state {
         State::Element(state) => (ELEMENT_HEAD, &state.points),
         State::Cable(state) => (CABLE_HEAD, &state.points),
@@ -63,6 +66,18 @@ pub fn equations_text(state: &State, name: &str) -> Result<String> {
         return Err(Error::NotFinite { name: name.into(), quantities: not_finite.join(", ") });
     }
     Ok(format!("{head}{body}"))
+}
+
+/// What the embedded fixtures say of each quantity, read once.
+fn quantities() -> Result<&'static BTreeMap<String, Quantity>> {
+    static KNOWN: OnceLock<BTreeMap<String, Quantity>> = OnceLock::new();
+    match KNOWN.get() {
+        Some(known) => Ok(known),
+        None => {
+            let read = Suite::embedded()?.quantities;
+            Ok(KNOWN.get_or_init(|| read))
+        }
+    }
 }
 
 /// Whether a quantity exists in a state. Of the two thermal strains only that of the state's model does.
