@@ -1,11 +1,11 @@
 //! Text from files and programs in media that would take parts of it for commands, a function for each medium. (Markdown is written by
 //! `ancf-conform` alone, which has the one for it.)
 
-/// Text with HTML's special characters as entities; also for SVG.
+/// Text with HTML's special characters as entities, and control characters, which it has no place for, as their codes.
 pub fn html(text: &str) -> String {
     // `&` first, as the other entities begin with it.
     let entities = [('&', "&amp;"), ('<', "&lt;"), ('>', "&gt;"), ('"', "&quot;"), ('\'', "&#39;")];
-    entities.iter().fold(text.to_string(), |text, (character, entity)| text.replace(*character, entity))
+    entities.iter().fold(terminal(text), |text, (character, entity)| text.replace(*character, entity))
 }
 
 /// Text for a terminal, in lines: control characters, which move the cursor or change colours, and those that turn the direction of
@@ -44,6 +44,7 @@ mod tests {
     #[test]
     fn special_characters_are_escaped() {
         assert_eq!(html("a<b> & \"c\" 'd'"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");
+        assert_eq!(html("\u{1b}[2J"), "\\u{1b}[2J");
     }
 
     #[test]
