@@ -126,6 +126,16 @@ pub enum Error {
         /// Memory of one matrix, GB.
         gigabytes: f64,
     },
+    /// The system does not give the memory that a run needs.
+    #[error("{what} take {gigabytes:.3} GB, which the system does not give; allowed: {allowed}")]
+    OutOfMemory {
+        /// What takes the memory, in words.
+        what: String,
+        /// Memory, GB.
+        gigabytes: f64,
+        /// What would take less.
+        allowed: String,
+    },
     /// The method has created energy.
     #[error(
         "at t = {} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: {cause}; \
@@ -303,6 +313,7 @@ impl Error {
                 | Error::StepTooLarge { .. }
                 | Error::Drifts { .. }
                 | Error::TooLarge { .. }
+                | Error::OutOfMemory { .. }
                 | Error::NotATime { .. }
                 | Error::Unknown { .. }
                 | Error::Read { .. }

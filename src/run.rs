@@ -24,7 +24,7 @@ pub use accuracy::{Accuracy, ColumnAccuracy, Convergence, Estimate};
 pub use estimate::run_estimated;
 pub use result::Run;
 pub use simulation::{Energies, Simulation, run, run_with_progress};
-pub use trajectory::Trajectory;
+pub use trajectory::{Rows, Trajectory};
 
 /// Items for the project's own crates only.
 pub(crate) mod inside {

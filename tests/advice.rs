@@ -344,7 +344,7 @@ fn a_resolved_rotation_is_right() {
     let [own, finer] = [1.0, 4.0].map(|parts| {
         let mut scene = scene.clone();
         scene.time.step /= parts;
-        run(scene).unwrap().trajectory.rows.pop().unwrap()
+        run(scene).unwrap().trajectory.rows.last().unwrap().to_vec()
     });
     assert!((own[1] - finer[1]).hypot(own[2] - finer[2]) < 0.01 * 0.05, "{own:?} {finer:?}");
 }

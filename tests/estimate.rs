@@ -181,7 +181,7 @@ fn steps_between_corners_are_halved() {
     let mut exact = scene.clone();
     (exact.time.tolerance, exact.time.step) = (1e-9, 1e-3);
     let (exact, coarse) = (run(&exact).unwrap(), run_estimated(&scene, |_| ()).unwrap());
-    let [a, b] = [&exact, &coarse].map(|run| run.trajectory.rows[1].clone());
+    let [a, b] = [&exact, &coarse].map(|run| run.trajectory.rows[1].to_vec());
     let (off, time) = ((a[1] - b[1]).hypot(a[2] - b[2]), coarse.accuracy.time.unwrap().value);
     assert!(off > 1e-7 && time >= off, "{off:e} {time:e}");
 }
@@ -196,7 +196,7 @@ fn the_tolerance_of_newton_is_estimated() {
     };
     let exact = run(with(1e-12)).unwrap();
     let coarse = run_estimated(with(5e-3), |_| ()).unwrap();
-    let off = |row: (&Vec<f64>, &Vec<f64>)| (row.0[1] - row.1[1]).hypot(row.0[2] - row.1[2]);
+    let off = |row: (&[f64], &[f64])| (row.0[1] - row.1[1]).hypot(row.0[2] - row.1[2]);
     let off = coarse.trajectory.rows.iter().zip(&exact.trajectory.rows).map(off).fold(0.0, f64::max);
     let time = coarse.accuracy.time.unwrap();
     assert!(off > 1e-6 && time.value >= off && time.method.contains("Newton's tolerance"), "{off:e} {time:?}");
@@ -333,7 +333,7 @@ fn a_vibration_that_is_damped_before_the_rows_is_seen() {
     (scene.time.method, scene.time.step, scene.time.end) = (Method::GeneralizedAlpha, 1e-3, 4.0);
     (scene.output.interval, scene.output.energy) = (Some(1.0), false);
     let rows = run(&scene).unwrap().trajectory.rows;
-    assert!(rows[1..].iter().all(|row| (row[2] + 1.91e-6).abs() < 1e-8), "{rows:?}");
+    assert!(rows.iter().skip(1).all(|row| (row[2] + 1.91e-6).abs() < 1e-8), "{rows:?}");
     match run_estimated(&scene, |_| ()) {
         Err(Error::Inaccurate { time, moved, .. }) => assert!(time > 1e-6 && moved < 5e-6, "{time:e} {moved:e}"),
         other => panic!("{:?}", other.map(|run| run.accuracy)),

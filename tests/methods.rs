@@ -440,3 +440,18 @@ fn adaptive_methods_pass_over_no_pulse() {
         }
     }
 }
+
+/// Errors so far below the tolerance that their ratio overflows: the steps do not shrink for it, and the run ends.
+#[test]
+fn adaptive_steps_end_where_errors_are_next_to_nothing() {
+    for (tolerance, gravity) in [(1e300, -9.81), (1e-6, -1e-307)] {
+        for method in ADAPTIVE {
+            let mut scene = adaptive(Element::Ancf, method, tolerance);
+            (scene.gravity, scene.time.end) = ([0.0, gravity], 0.1);
+            // A result, or an error that says why not.
+            if let Ok(run) = run(&scene) {
+                assert!(run.counts.steps < 10_000, "{method}, tolerance {tolerance}: {} steps", run.counts.steps);
+            }
+        }
+    }
+}

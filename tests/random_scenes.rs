@@ -417,7 +417,7 @@ fn finer(scene: &Scene) -> Result<Run, Error> {
         fine.time.step /= if explicit && scene.rods[0].element == Element::EulerBernoulli { 32.0 } else { 8.0 };
     }
     let mut fine = run(&fine)?;
-    fine.trajectory.rows = fine.trajectory.rows.into_iter().step_by(every).collect();
+    fine.trajectory.rows = fine.trajectory.rows.iter().step_by(every).collect();
     Ok(fine)
 }
 
@@ -427,7 +427,7 @@ fn distance(a: &Run, b: &Run) -> f64 {
     let names = &a.trajectory.columns;
     let places: Vec<usize> = (0..names.len()).filter(|column| names[*column].ends_with(".x")).collect();
     let rows = a.trajectory.rows.iter().zip(&b.trajectory.rows);
-    let apart = |(a, b): (&Vec<f64>, &Vec<f64>)| {
+    let apart = |(a, b): (&[f64], &[f64])| {
         let distances = places.iter().map(|x| (a[*x] - b[*x]).hypot(a[x + 1] - b[x + 1]));
         distances.fold(0.0, f64::max)
     };

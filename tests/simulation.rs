@@ -74,7 +74,7 @@ fn adaptive_methods_stop_at_any_time() {
     assert!((simulation.time() - 0.04).abs() < 1e-15);
     let run = simulation.finish().unwrap();
     let whole = ancf::run::run(pendulum(Method::GaussAdaptive, 0.02, 0.1)).unwrap().trajectory.rows;
-    let end = |rows: &[Vec<f64>]| rows.last().unwrap()[0];
+    let end = |rows: &ancf::run::Rows| rows.last().unwrap()[0];
     assert_eq!((run.trajectory.rows.len(), end(&run.trajectory.rows)), (whole.len(), end(&whole)));
 }
 

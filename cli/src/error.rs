@@ -12,9 +12,25 @@ pub enum Error {
     /// A study, or an output file.
     #[error(transparent)]
     Study(#[from] ancf_study::error::Error),
+    /// A run failed, and so did the writing of its rows.
+    #[error("{error}; its rows are lost: {unwritten}")]
+    Unwritten {
+        /// Error of the run.
+        error: ancf::error::Error,
+        /// Error of its files.
+        unwritten: Box<Error>,
+    },
     /// A program under test could not be judged.
     #[error(transparent)]
     Conform(#[from] ancf_conform::Error),
+    /// A program under test is right where it was asked, and was asked only a part.
+    #[error(
+        "the program is only partly checked: {what}; allowed: answers in all cases of what it implements, or `--allow-partial`"
+    )]
+    PartlyChecked {
+        /// What was checked in part.
+        what: String,
+    },
     /// A program under test is wrong somewhere.
     #[error("the program does not conform: {summary}")]
     NotConforming {
@@ -24,13 +40,15 @@ pub enum Error {
 }
 
 impl Error {
-    /// Exit code: 1 the run or a comparison failed, 2 bad input.
+    /// Exit code: 1 the run or a comparison failed, 2 bad input, 3 right where asked, but only partly checked.
     pub fn exit_code(&self) -> u8 {
         let is_bad_input = match self {
             Error::Run(error) => error.is_bad_input(),
             Error::Study(error) => error.is_bad_input(),
+            Error::Unwritten { error, .. } => error.is_bad_input(),
             Error::Conform(_) => true,
             Error::NotConforming { .. } => false,
+            Error::PartlyChecked { .. } => return 3,
         };
         if is_bad_input { 2 } else { 1 }
     }

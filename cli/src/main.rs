@@ -7,10 +7,11 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
-use ancf::model::{Model, ThermalModel};
-use ancf::run::{run_estimated, run_with_progress};
+use ancf::model::{Model, Scene, ThermalModel};
+use ancf::run::{Run, Simulation, Trajectory};
 use ancf_conform::{Options, Report, Suite, equations_text, examine, load_state};
-use ancf_study::files::Files;
+use ancf_study::escape;
+use ancf_study::files::{Files, written_lines};
 use ancf_study::{error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
@@ -107,6 +108,9 @@ enum Command {
         /// Never hand over intermediate values, also to a program that takes them.
         #[arg(long)]
         no_given: bool,
+        /// Exit code 0 in place of 3 for a program that is right, but answers what it implements in some cases only.
+        #[arg(long)]
+        allow_partial: bool,
         #[command(flatten)]
         out: Out,
         /// The program and its arguments; it answers lines of JSON with lines of JSON (fixtures/README.md).
@@ -178,9 +182,9 @@ fn main() -> ExitCode {
             error_time::study(&options, &out.folder, print).map_err(Error::from)
         }
         Some(Command::Equations { state }) => print_equations(state),
-        Some(Command::Conform { fixtures, time_limit, no_given, out, command }) => {
+        Some(Command::Conform { fixtures, time_limit, no_given, allow_partial, out, command }) => {
             let options = Options { time_limit: *time_limit, given: !no_given };
-            conform(command, fixtures.as_deref(), options, &out.folder)
+            conform(command, fixtures.as_deref(), options, *allow_partial, &out.folder)
         }
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
@@ -191,7 +195,7 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             // Without a standard error there is nobody left to tell.
-            let _ = writeln!(io::stderr(), "error: {error}");
+            let _ = writeln!(io::stderr(), "error: {}", escape::line(&error.to_string()));
             ExitCode::from(error.exit_code())
         }
     }
@@ -202,8 +206,22 @@ fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Pat
     let model = load(name, options)?;
     let scene = model.scene();
     // First, so that a folder that cannot be written is not found after the run.
-    let files = Files::in_folder(folder)?;
+    let files = Files::in_folder(folder, report::FILES, &[Path::new(name)])?;
     let clock = Instant::now();
+    let mut simulation = match Simulation::new(model.clone()) {
+        Ok(simulation) => simulation,
+        Err(error) if error.is_bad_input() => return Err(error.into()),
+        Err(error) => {
+            let trajectory = Trajectory { columns: scene.columns(), ..Trajectory::default() };
+            return failed_run(
+                files,
+                scene,
+                &Run { trajectory, ..Run::default() },
+                error,
+                clock.elapsed().as_secs_f64(),
+            );
+        }
+    };
     let bar = progress(scene.steps());
     // The time of the run itself, without those that its estimate needs.
     let wall_seconds = Cell::new(0.0);
@@ -211,13 +229,25 @@ fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Pat
         bar.set_position(step as u64);
         wall_seconds.set(clock.elapsed().as_secs_f64());
     };
-    let run = if estimate { run_estimated(model.clone(), on_step) } else { run_with_progress(model.clone(), on_step) };
+    let outcome =
+        if estimate { simulation.finish_estimated(on_step) } else { simulation.finish_with_progress(on_step) };
     bar.finish_and_clear();
-    let run = run?;
     let wall_seconds = wall_seconds.get();
-    let paths = report::write_run(files, scene, &run, wall_seconds)?;
-    let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
-    Ok(print(&(report::run_text(scene, &run, wall_seconds) + &written))?)
+    match outcome {
+        Ok(run) => {
+            let paths = report::write_run(files, scene, &run, None, wall_seconds)?;
+            Ok(print(&(report::run_text(scene, &run, wall_seconds) + &written_lines(&paths)))?)
+        }
+        Err(error) => failed_run(files, scene, &simulation.into_run(), error, wall_seconds),
+    }
+}
+
+/// Writes what there is of a run that failed, and returns its error.
+fn failed_run(files: Files, scene: &Scene, run: &Run, error: ancf::error::Error, wall_seconds: f64) -> Result<()> {
+    match report::write_run(files, scene, run, Some(&error), wall_seconds) {
+        Ok(_) => Err(error.into()),
+        Err(unwritten) => Err(Error::Unwritten { error, unwritten: Box::new(unwritten) }),
+    }
 }
 
 /// The model of a name or path, with the changes that options ask for.
@@ -237,25 +267,42 @@ fn seconds(text: &str) -> std::result::Result<Duration, String> {
 
 /// `ancf equations`.
 fn print_equations(state: &str) -> Result<()> {
-    Ok(print(&equations_text(&load_state(state)?)?)?)
+    Ok(print(&equations_text(&load_state(state)?, state)?)?)
 }
 
+/// Files that `ancf conform` writes.
+const CONFORM_FILES: [&str; 2] = ["conformance.json", "conformance.md"];
+
 /// `ancf conform`.
-fn conform(command: &[String], fixtures: Option<&Path>, options: Options, folder: &Path) -> Result<()> {
+fn conform(
+    command: &[String],
+    fixtures: Option<&Path>,
+    options: Options,
+    allow_partial: bool,
+    folder: &Path,
+) -> Result<()> {
     let suite = fixtures.map_or_else(Suite::embedded, Suite::load)?;
-    let mut files = Files::in_folder(folder)?;
+    let words = command.iter().map(Path::new).chain(fixtures);
+    let mut files = Files::in_folder(folder, CONFORM_FILES, &words.collect::<Vec<_>>())?;
     let bar = ProgressBar::new(100);
     let examination = examine(&suite, command, options, |share| bar.set_position((100.0 * share) as u64));
     bar.finish_and_clear();
-    let report = Report::new(&suite, &examination?);
+    let mut report = Report::new(&suite, &examination?);
     let text = report.markdown();
     // Keys of JSON in alphabetical order.
+    files.identify(serde_json::to_value(&report).unwrap_or_default().to_string().as_bytes());
+    report.run = files.run_id();
     files.write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &serde_json::to_value(&report)?)?))?;
-    files.write("conformance.md", |file| file.write_all(text.as_bytes()))?;
+    files.write_text("conformance.md", text.clone())?;
     let paths = files.publish()?;
-    let written: String = paths.iter().map(|file| format!("wrote {}\n", file.display())).collect();
-    print(&format!("{text}\n{written}"))?;
-    if report.passes { Ok(()) } else { Err(Error::NotConforming { summary: report.summary() }) }
+    print(&format!("{text}\n{}", written_lines(&paths)))?;
+    if !report.passes {
+        return Err(Error::NotConforming { summary: report.summary() });
+    }
+    match report.partly_checked_text() {
+        what if !what.is_empty() && !allow_partial => Err(Error::PartlyChecked { what }),
+        _ => Ok(()),
+    }
 }
 
 /// `ancf plan`.
@@ -266,8 +313,7 @@ fn print_plan(name: &str, options: &ScissorsOptions) -> Result<()> {
 
 /// `ancf error-time --references`.
 fn write_references(scenes: &[String], folder: &Path) -> Result<()> {
-    let paths = error_time::references(scenes, folder)?;
-    Ok(print(&paths.iter().map(|file| format!("wrote {}\n", file.display())).collect::<String>())?)
+    Ok(print(&written_lines(&error_time::references(scenes, folder)?))?)
 }
 
 /// A bar with the time left, on a terminal; nothing in a pipe.
@@ -300,10 +346,10 @@ fn list_scenes() -> Result<()> {
     Ok(print(&list)?)
 }
 
-/// Prints on standard output; that a reader like `head` has seen enough is no error.
+/// Prints on standard output, without what a terminal would obey; that a reader like `head` has seen enough is no error.
 fn print(text: &str) -> ancf_study::error::Result<()> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(escape::terminal(text).as_bytes()).and_then(|()| out.flush()) {
         Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
             Err(ancf_study::error::Error::Write { path: "standard output".into(), source })
         }

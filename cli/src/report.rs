@@ -4,6 +4,7 @@
 
 use std::path::PathBuf;
 
+use ancf::error::Error;
 use ancf::internals::model::{Part, Plan};
 use ancf::model::{Method, Scene};
 use ancf::run::{ColumnAccuracy, Convergence, Run};
@@ -13,13 +14,26 @@ use crate::ends::{energy_imbalance, final_time, final_values, largest_of};
 use crate::error::Result;
 use crate::summary::write_summary;
 
-/// Writes `trajectory.csv` and `summary.json` of a run, and returns their paths.
+/// Table of a run, and of one that failed.
+const TABLES: [&str; 2] = ["trajectory.csv", "trajectory.partial.csv"];
+
+/// Files that a run may write: of [`TABLES`] it writes one, and the other is removed with the earlier run's files.
+pub const FILES: [&str; 3] = [TABLES[0], TABLES[1], "summary.json"];
+
+/// Writes the table and `summary.json` of a run, and returns their paths; `error` ended the run.
 ///
 /// # Errors
-/// [`Error::Write`](ancf_study::error::Error::Write); neither file is there then.
-pub fn write_run(mut files: Files, scene: &Scene, run: &Run, wall_seconds: f64) -> Result<Vec<PathBuf>> {
-    files.write("trajectory.csv", |out| run.trajectory.write_csv(out))?;
-    files.write("summary.json", |out| write_summary(out, scene, run, wall_seconds))?;
+/// [`Error::Write`](ancf_study::error::Error::Write); the earlier files are untouched then.
+pub fn write_run(
+    mut files: Files,
+    scene: &Scene,
+    run: &Run,
+    error: Option<&Error>,
+    wall_seconds: f64,
+) -> Result<Vec<PathBuf>> {
+    files.write_table(TABLES[usize::from(error.is_some())], |out| run.trajectory.write_csv(out))?;
+    let id = files.run_id();
+    files.write("summary.json", |out| write_summary(out, &id, scene, run, error, wall_seconds))?;
     Ok(files.publish()?)
 }
 
@@ -123,7 +137,7 @@ pub(crate) mod tests {
         let mut rows = vec![vec![0.0; 10], AWKWARD.iter().chain(&[0.0; 4]).copied().collect()];
         (rows[0][5], rows[0][9]) = (2.0, -3e-7);
         rows[1][9] = 2e-7;
-        let trajectory = Trajectory { columns: scene.columns(), rows };
+        let trajectory = Trajectory { columns: scene.columns(), rows: rows.into_iter().collect() };
         let counts = Counts {
             steps: 1,
             rejected: 0,

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
+use ancf::error::Error;
 use ancf::integrators::Counts;
 use ancf::internals::model::{Part, Plan};
 use ancf::model::{Method, Scene};
@@ -13,12 +14,23 @@ use serde::{Serialize, Serializer};
 use crate::ends::{energy_imbalance, final_time, final_values};
 
 /// Writes the content of `summary.json`: the scene, what the run took, where the probes ended, and what is known of
-/// the accuracy.
+/// the accuracy. `id` is that of the run's table; `error` ended the run, which then holds what there was until then.
 ///
 /// # Errors
 /// What `out` reports.
-pub fn write_summary(out: &mut dyn Write, scene: &Scene, run: &Run, wall_seconds: f64) -> io::Result<()> {
+pub fn write_summary(
+    out: &mut dyn Write,
+    id: &str,
+    scene: &Scene,
+    run: &Run,
+    error: Option<&Error>,
+    wall_seconds: f64,
+) -> io::Result<()> {
     let summary = Summary {
+        run: id,
+        status: if error.is_some() { Status::Failed } else { Status::Ok },
+        error: error.map(Error::to_string),
+        last_good_time: error.map(|_| final_time(run)),
         scene,
         plan: Plan::of(scene).parts(scene),
         method: scene.time.method,
@@ -46,6 +58,16 @@ pub fn write_summary(out: &mut dyn Write, scene: &Scene, run: &Run, wall_seconds
 /// Content of `summary.json`: what a run was, what it took, where it ended.
 #[derive(Serialize, JsonSchema)]
 pub struct Summary<'a> {
+    /// Run id: the first 16 hexadecimal digits of the SHA-256 of the run's table, as `sha256sum` prints it.
+    run: &'a str,
+    /// Whether the run reached its end.
+    status: Status,
+    /// What ended a run that failed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
+    /// Time of the last row of `trajectory.partial.csv`, s, the load factor in statics; null if there is none. Of runs that failed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    last_good_time: Option<Option<f64>>,
     /// The scene that was run.
     scene: &'a Scene,
     /// What was computed and what was left out.
@@ -67,6 +89,16 @@ pub struct Summary<'a> {
     warnings: &'a [String],
     /// What is known of the errors.
     accuracy: KnownErrors<'a>,
+}
+
+/// How a run ended.
+#[derive(Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+enum Status {
+    /// At its end; `trajectory.csv` has the rows.
+    Ok,
+    /// With an error; `trajectory.partial.csv` has the rows until then.
+    Failed,
 }
 
 /// The last row of a trajectory.
@@ -135,7 +167,7 @@ mod tests {
 
     fn summary(scene: &Scene, run: &Run) -> Value {
         let mut text = Vec::new();
-        write_summary(&mut text, scene, run, 0.25).unwrap();
+        write_summary(&mut text, "0f", scene, run, None, 0.25).unwrap();
         serde_json::from_slice(&text).unwrap()
     }
 
@@ -143,6 +175,10 @@ mod tests {
     fn summary_holds_the_scene_the_counts_and_the_end() {
         let (scene, run) = run();
         let summary = summary(&scene, &run);
+        assert_eq!(
+            (&summary["run"], &summary["status"], &summary["error"]),
+            (&json!("0f"), &json!("ok"), &Value::Null)
+        );
         assert_eq!(Model::parse(&summary["scene"].to_string(), "summary").unwrap().into_scene(), scene);
         assert_eq!(summary["method"], "energy-momentum");
         assert_eq!((&summary["steps"], &summary["newton_iterations"]), (&json!(1), &json!(2)));

@@ -159,6 +159,7 @@ fn the_unchanged_scene_runs() {
 
 // Keys.
 refused! {
+    name_like_a_formula: r#""name": "tip""# => r#""name": "=1+1""#; 13, "`probes[0].name` is \"=1+1\""; "does not begin with = + - @"
     unknown_key: r#""nu": 0.3"# => r#""nue": 0.3"#; 4, "`material.nue` is an unknown key (value 0.3)"; "`E`, `nu`, `rho`, `alpha`; nearest: `nu`"
     unknown_key_in_other_case: r#""E": 2e8"# => r#""e": 2e8"#; 4, "`material.e` is an unknown key (value 2e8)"; "nearest: `E`"
     unknown_key_at_the_top: r#""gravity""# => r#""gravitation""#; 9, "`gravitation` is an unknown key (value [0.0, -9.8])"; "nearest: `gravity`"

@@ -165,7 +165,8 @@ fn output_that_cannot_be_written_is_exit_code_1_and_leaves_nothing() {
     assert_eq!(entries(&folder.path().join("out")), ["summary.json"]);
 }
 
-/// Runs the changed `pendulum-2d` into a folder that holds an older result, and returns exit code and message.
+/// Runs the changed `pendulum-2d` into a folder that holds an older result, and returns exit code and message. Bad input leaves that
+/// alone, a run that fails replaces it.
 fn failing_run(time: Value, energy: bool) -> (Option<i32>, String) {
     let folder = tempfile::tempdir().unwrap();
     let mut scene = serde_json::to_value(Scene::builtin("pendulum-2d").unwrap()).unwrap();
@@ -174,8 +175,14 @@ fn failing_run(time: Value, energy: bool) -> (Option<i32>, String) {
     fs::create_dir(folder.path().join("out")).unwrap();
     fs::write(folder.path().join("out/summary.json"), "an older result").unwrap();
     let output = ancf(folder.path(), &["run", "mine.json"]);
-    assert_eq!(entries(&folder.path().join("out")), ["summary.json"]);
-    assert_eq!(fs::read_to_string(folder.path().join("out/summary.json")).unwrap(), "an older result");
+    let summary = fs::read_to_string(folder.path().join("out/summary.json")).unwrap();
+    if output.status.code() == Some(2) {
+        assert_eq!(entries(&folder.path().join("out")), ["summary.json"]);
+        assert_eq!(summary, "an older result");
+    } else {
+        assert_eq!(entries(&folder.path().join("out")), ["summary.json", "trajectory.partial.csv"]);
+        assert!(summary.contains("\"status\": \"failed\""), "{summary}");
+    }
     (output.status.code(), String::from_utf8(output.stderr).unwrap())
 }
 

@@ -476,3 +476,76 @@ fn the_partial_adapter_in_javascript_passes() {
     assert!(examination.passes(), "{:?}", examination.blame);
     assert_eq!(examination.implemented(), 8);
 }
+
+/// Whatever a program does in place of an answer: the time limit of the question ends it, and all others are asked.
+#[test]
+fn the_time_limit_holds_whatever_comes() {
+    let behaviours = [
+        ("bytes that dribble", "while :; do printf x; sleep 0.02; done"),
+        ("a line that does not end", "exec tr '\\0' '[' < /dev/zero"),
+        ("empty lines", "exec yes ''"),
+        ("answers to another question", r#"exec yes '{"id":"0","value":1}'"#),
+        ("messages", "exec yes step"),
+        ("lines of errors", "exec yes >&2"),
+        ("an endless line of errors", "exec tr '\\0' x < /dev/zero >&2"),
+        ("a deaf ear", "exec sleep 60 < /dev/null"),
+        ("a child that keeps its pipes", "sleep 60 & exit 0"),
+        ("a child of its own session that keeps its pipes", "setsid sleep 20 & exit 0"),
+    ];
+    std::thread::scope(|scope| {
+        for (what, second) in behaviours {
+            scope.spawn(move || {
+                let started = Instant::now();
+                let found = faults(&lambda("", second, 0.4));
+                println!("{what}: {:?}, {:?}", started.elapsed(), found.first());
+                assert!(!found.is_empty(), "{what} is no answer");
+                assert!(started.elapsed() < Duration::from_secs(15), "{what}: {:?}", started.elapsed());
+            });
+        }
+    });
+}
+
+#[test]
+fn a_program_that_answers_some_cases_only_is_partly_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let command = script(folder.path(), &format!("\"{QUANTITY}\""), "", ":");
+    // λ = 0 is right where ν = 0; elsewhere it is "not implemented".
+    let some = format!(
+        r#"case $line in *'"nu":0.0'*) {ANSWER} ;; *) printf '{{"id":"%s","not_implemented":true}}\n' "$id" ;; esac ;;"#
+    );
+    let text = fs::read_to_string(&command[1]).unwrap();
+    let (start, end) = (text.find("if [ $n = 2 ]").unwrap(), text.find("fi ;;").unwrap() + 5);
+    fs::write(&command[1], format!("{}{some}{}", &text[..start], &text[end..])).unwrap();
+
+    let output = ancf(folder.path(), &["conform", "--", &command[0], &command[1]]);
+    let (text, message) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
+    assert_eq!(output.status.code(), Some(3), "{message}");
+    let headline = text.lines().nth(2).unwrap();
+    assert!(headline.starts_with("1 quantities pass, 0 fail") && headline.contains("Partly checked: "), "{headline}");
+    assert!(headline.contains("12 of 36 cases of `17.lambda`"), "{headline}");
+    assert!(message.contains("only partly checked") && message.contains("`--allow-partial`"), "{message}");
+    assert!(text.contains("| 17.lambda | **partly checked** | 12 / 12 of 36 |"), "{text}");
+    let report: Value =
+        serde_json::from_str(&fs::read_to_string(folder.path().join("out/conformance.json")).unwrap()).unwrap();
+    assert_eq!(report["partly_checked"][0], json!({"quantity": "17.lambda", "checked": 12, "of": 36}));
+
+    let output = ancf(folder.path(), &["conform", "--allow-partial", "--", &command[0], &command[1]]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn what_a_program_says_commands_no_terminal() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("program.sh");
+    let name = r#"{"hello":{"name":"\u001b[2Jmine<script>\u202e","quantities":["\u001b]0;x\u0007"]}}"#;
+    fs::write(&path, format!("read line; printf '%s\\n' '{name}'; printf '\\033[31mred\\n'; exec cat > /dev/null"))
+        .unwrap();
+    let output = ancf(folder.path(), &["conform", "--", "sh", &path.display().to_string()]);
+    let report = fs::read_to_string(folder.path().join("out/conformance.md")).unwrap();
+    for text in [String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap(), report] {
+        assert!(!text.contains(['\u{1b}', '\u{7}', '\u{202e}']) && !text.contains("<script>"), "{text:?}");
+    }
+    // Nor does a word of the command line.
+    let message = ancf(folder.path(), &["conform", "--", "\u{1b}[2Jprogram"]).stderr;
+    assert!(String::from_utf8(message).unwrap().contains("cannot start the command `\\u{1b}[2Jprogram`"));
+}

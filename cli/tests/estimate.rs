@@ -55,5 +55,7 @@ fn a_result_without_a_digit_is_an_error() {
     let output = ancf(folder.path(), &["run", "mine.json", "--estimate"]);
     let message = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.code() == Some(1) && message.contains("not even the first digit is sure"), "{message}");
-    assert!(fs::read_dir(folder.path().join("out")).unwrap().next().is_none());
+    let summary: Value =
+        serde_json::from_str(&fs::read_to_string(folder.path().join("out/summary.json")).unwrap()).unwrap();
+    assert_eq!(summary["status"], "failed");
 }

@@ -97,6 +97,12 @@ fn scenes_of_a_wrong_shape_are_not_valid() {
     assert!(!scenes.is_valid(&scene), "unknown keys are valid");
 }
 
+#[track_caller]
+fn assert_summary_is_valid(folder: &Path) {
+    let summary = fs::read_to_string(folder.join("out/summary.json")).unwrap();
+    assert_valid(&validator("summary.schema.json"), &serde_json::from_str(&summary).unwrap());
+}
+
 #[test]
 fn a_summary_is_valid() {
     let folder = tempfile::tempdir().unwrap();
@@ -109,7 +115,17 @@ fn a_summary_is_valid() {
         let output =
             Command::new(env!("CARGO_BIN_EXE_ancf")).args(options).current_dir(folder.path()).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let summary = fs::read_to_string(folder.path().join("out/summary.json")).unwrap();
-        assert_valid(&validator("summary.schema.json"), &serde_json::from_str(&summary).unwrap());
+        assert_summary_is_valid(folder.path());
     }
+    // Heat within one step: that of a run which fails.
+    let failing = scene.replace("\"gravity\"", "\"temperature\": {\"history\": [[0, 0], [0.001, 1e4]]}, \"gravity\"");
+    let failing = failing.replace("2766.67}", "2766.67, \"alpha\": 1e-3}");
+    fs::write(folder.path().join("scene.json"), failing).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_ancf"))
+        .args(["run", "scene.json"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_summary_is_valid(folder.path());
 }

@@ -1,10 +1,13 @@
 //! Listing of every equation's value in one state, for debugging by eye.
 
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
 use ancf::internals::equations::{CONTENTS, Entry, Form};
 use ancf::internals::state::evaluate_system;
 use ancf::state::{ThermalModel, evaluate, evaluate_cable};
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::suite::{Length, Per, Quantity, State, Suite};
 
 /// Number of digits after the decimal point.
@@ -18,13 +21,14 @@ const CABLE_HEAD: &str = "Values in SI units. Rows and columns of e in the order
      each point (x, 0) on the axis.\n";
 const STRUCTURE_HEAD: &str = "Values in SI units, from the terms of (23) that are stored with the case: m, k q, f and Phi_q. One number for each coordinate.\n";
 
-/// Lists every quantity of a state in the paper's order: its function, its form, and its numbers row by row. A warning at the top names
-/// quantities that are not finite.
+/// Lists every quantity of a state in the paper's order: its function, its form, and its numbers row by row. `name` is that of the state
+/// in messages.
 ///
 /// # Errors
-/// [`Error::Suite`](crate::Error::Suite) if the embedded fixtures, which describe the quantities, are malformed.
-pub fn equations_text(state: &State) -> Result<String> {
-    let quantities = Suite::embedded()?.quantities;
+/// [`Error::NotFinite`] for a state whose numbers lead out of the range of f64; [`Error::Suite`] if the embedded fixtures, which describe
+/// the quantities, are malformed.
+pub fn equations_text(state: &State, name: &str) -> Result<String> {
+    let quantities = quantities()?;
     let (head, points): (&str, &[[f64; 2]]) = match state {
         State::Element(state) => (ELEMENT_HEAD, &state.points),
         State::Cable(state) => (CABLE_HEAD, &state.points),
@@ -58,14 +62,22 @@ pub fn equations_text(state: &State) -> Result<String> {
             body += &lines(&numbers, row);
         }
     }
-    let warning = match &not_finite[..] {
-        [] => String::new(),
-        names => format!(
-            "\nWARNING: numbers of the state are too large or too small to compute with. Not finite: {}.\n",
-            names.join(", ")
-        ),
-    };
-    Ok(format!("{head}{warning}{body}"))
+    if !not_finite.is_empty() {
+        return Err(Error::NotFinite { name: name.into(), quantities: not_finite.join(", ") });
+    }
+    Ok(format!("{head}{body}"))
+}
+
+/// What the embedded fixtures say of each quantity, read once.
+fn quantities() -> Result<&'static BTreeMap<String, Quantity>> {
+    static KNOWN: OnceLock<BTreeMap<String, Quantity>> = OnceLock::new();
+    match KNOWN.get() {
+        Some(known) => Ok(known),
+        None => {
+            let read = Suite::embedded()?.quantities;
+            Ok(KNOWN.get_or_init(|| read))
+        }
+    }
 }
 
 /// Whether a quantity exists in a state. Of the two thermal strains only that of the state's model does.
@@ -113,14 +125,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_that_are_not_finite_are_named_at_the_top() {
+    fn values_that_are_not_finite_are_refused_by_name() {
         let State::Element(mut state) = Suite::embedded().unwrap().cases.remove(0).state else { panic!() };
-        let text =
-            |state: &ancf::state::ElementState| equations_text(&State::Element(Box::new(state.clone()))).unwrap();
-        assert!(!text(&state).contains("WARNING"));
+        let listed =
+            |state: &ancf::state::ElementState| equations_text(&State::Element(Box::new(state.clone())), "mine.json");
+        assert!(listed(&state).is_ok());
         state.e[0] = 1e200;
-        let text = text(&state);
-        let head: Vec<&str> = text.lines().take(4).collect();
-        assert!(head[3].starts_with("WARNING: ") && head[3].contains("19.Q_e") && !head[3].contains("7.M"), "{head:?}");
+        let message = listed(&state).unwrap_err().to_string();
+        assert!(
+            message.starts_with("mine.json: ") && message.contains("19.Q_e") && !message.contains("7.M"),
+            "{message}"
+        );
     }
 }

@@ -35,6 +35,17 @@ pub enum Error {
         /// Reason that the system gives.
         source: std::io::Error,
     },
+    /// Numbers of a state lead out of the range of f64.
+    #[error(
+        "{name}: numbers of the state are too large or too small to compute with: these leave the range of numbers, up to 1.8e308: \
+         {quantities}; allowed: a state in units in which they stay within it"
+    )]
+    NotFinite {
+        /// Name of the state.
+        name: String,
+        /// The quantities that are infinite or not a number.
+        quantities: String,
+    },
     /// A state is neither a file nor stored.
     #[error("cannot read {name}: there is no such file, and no stored state of that name{nearest}; stored are {known}")]
     NoState {

@@ -50,7 +50,7 @@ pub use error::{Error, Result};
 pub use examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 pub use examiner::{Options, examine};
 pub use graph::{GRAPH, Node};
-pub use protocol::Hello;
+pub use protocol::{Answer, AnswerLine, Hello, numbers as read_numbers, read as read_answer};
 pub use report::Report;
 pub use schema::schemas;
 pub use state_file::load as load_state;

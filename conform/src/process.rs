@@ -14,8 +14,10 @@ use std::time::{Duration, Instant};
 use crate::protocol;
 use crate::verdict::Fault;
 
-/// Longest line that is read, in bytes.
-const LONGEST_LINE: u64 = 16 << 20;
+/// Longest line that is read, in bytes: the longest right answer has some hundred thousand.
+const LONGEST_LINE: u64 = 2 << 20;
+/// Longest part of a line of standard error that is kept at once, in bytes.
+const LONGEST_ERROR: u64 = 4096;
 /// Number of lines that are read ahead.
 const AHEAD: usize = 16;
 /// Number of lines of standard error that are kept.
@@ -55,11 +57,21 @@ impl Process {
         let (questions, to_write) = channel();
         let (to_tell, lines) = sync_channel(AHEAD);
         let last_errors = Arc::new(Mutex::new(VecDeque::new()));
-        let writer = thread::spawn(move || write_lines(stdin, &to_write));
-        thread::spawn(move || read_lines(stdout, &to_tell));
         let kept = Arc::clone(&last_errors);
-        let error_reader = thread::spawn(move || keep_last_lines(stderr, &kept));
-        Ok(Process { child, ended: false, questions, writer, error_reader, lines, last_errors })
+        let threads = || -> io::Result<(JoinHandle<()>, JoinHandle<()>)> {
+            let writer = thread::Builder::new().spawn(move || write_lines(stdin, &to_write))?;
+            thread::Builder::new().spawn(move || read_lines(stdout, &to_tell))?;
+            Ok((writer, thread::Builder::new().spawn(move || keep_last_lines(stderr, &kept))?))
+        };
+        match threads() {
+            Ok((writer, error_reader)) => {
+                Ok(Process { child, ended: false, questions, writer, error_reader, lines, last_errors })
+            }
+            Err(error) => {
+                end(&mut child);
+                Err(io::Error::new(error.kind(), format!("no thread for its pipes: {error}")))
+            }
+        }
     }
 
     /// Sends a line to the program.
@@ -116,15 +128,9 @@ impl Process {
 
     /// Kills the process and all processes that it started. Does nothing if it has ended.
     pub fn end(&mut self) {
-        if std::mem::replace(&mut self.ended, true) {
-            return;
+        if !std::mem::replace(&mut self.ended, true) {
+            end(&mut self.child);
         }
-        #[cfg(unix)]
-        if let Some(group) = i32::try_from(self.child.id()).ok().and_then(rustix::process::Pid::from_raw) {
-            let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
-        }
-        let _ = self.child.kill();
-        let _ = self.child.wait();
     }
 }
 
@@ -132,6 +138,16 @@ impl Drop for Process {
     fn drop(&mut self) {
         self.end();
     }
+}
+
+/// Kills a process and its group.
+fn end(child: &mut Child) {
+    #[cfg(unix)]
+    if let Some(group) = i32::try_from(child.id()).ok().and_then(rustix::process::Pid::from_raw) {
+        let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
+    }
+    let _ = child.kill();
+    let _ = child.wait();
 }
 
 fn not_reading() -> Fault {
@@ -169,7 +185,7 @@ fn read_lines(stdout: ChildStdout, lines: &SyncSender<Result<String, Fault>>) {
 fn keep_last_lines(stderr: ChildStderr, kept: &Mutex<VecDeque<String>>) {
     let mut stderr = BufReader::new(stderr);
     let mut line = Vec::new();
-    while (&mut stderr).take(LONGEST_LINE).read_until(b'\n', &mut line).is_ok_and(|count| count > 0) {
+    while (&mut stderr).take(LONGEST_ERROR).read_until(b'\n', &mut line).is_ok_and(|count| count > 0) {
         let mut kept = kept.lock().unwrap_or_else(PoisonError::into_inner);
         kept.push_back(String::from_utf8_lossy(&line).into_owned());
         if kept.len() > KEPT {

@@ -4,5 +4,6 @@ mod markdown;
 mod record;
 
 pub use record::{
-    CaseFault, Counts, CulpritResult, FailingCase, Failure, InvalidResult, Program, QuantityResult, Report,
+    CaseFault, Counts, CulpritResult, FailingCase, Failure, InvalidResult, PartlyChecked, Program, QuantityResult,
+    Report,
 };

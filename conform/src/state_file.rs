@@ -1,6 +1,7 @@
 //! States from files and from the fixtures.
 
-use std::io::ErrorKind;
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
 
 use ancf::internals::model::nearest;
 use ancf::state::{CableState, ElementState};
@@ -10,6 +11,9 @@ use serde::de::IgnoredAny;
 use crate::error::{Error, Result};
 use crate::suite::{State, Suite};
 
+/// Largest file that is read, bytes: a state has some thousand.
+const LARGEST: u64 = 1 << 20;
+
 /// Reads the state of an ANCF or Euler–Bernoulli element from a file. If there is no such file, `name` is that of a stored state, which
 /// may also be the terms of (23) of a structure.
 ///
@@ -17,9 +21,8 @@ use crate::suite::{State, Suite};
 /// [`Error::NoState`] if there is neither, [`Error::Read`] if the file cannot be read, [`Error::State`] with file, key, value and allowed
 /// values if it is invalid.
 pub fn load(name: &str) -> Result<State> {
-    match std::fs::read_to_string(name) {
-        Ok(text) if is_of_a_cable(&text) => Ok(State::Cable(Box::new(CableState::parse(&text, name)?))),
-        Ok(text) => Ok(State::Element(Box::new(ElementState::parse(&text, name)?))),
+    match read(name) {
+        Ok(text) => State::parse(&text, name),
         Err(source) if source.kind() != ErrorKind::NotFound => Err(Error::Read { path: name.into(), source }),
         Err(_) => {
             let mut cases = Suite::embedded()?.cases;
@@ -29,6 +32,32 @@ pub fn load(name: &str) -> Result<State> {
             }
         }
     }
+}
+
+impl State {
+    /// Reads the state of an ANCF or Euler–Bernoulli element from JSON `text`; `file` is the name in messages.
+    ///
+    /// # Errors
+    /// [`Error::State`] with file, key, value and allowed values.
+    pub fn parse(text: &str, file: &str) -> Result<State> {
+        if is_of_a_cable(text) {
+            Ok(State::Cable(Box::new(CableState::parse(text, file)?)))
+        } else {
+            Ok(State::Element(Box::new(ElementState::parse(text, file)?)))
+        }
+    }
+}
+
+/// Text of a file, unless it is too large or has no end.
+fn read(name: &str) -> io::Result<String> {
+    let mut text = String::new();
+    if File::open(name)?.take(LARGEST + 1).read_to_string(&mut text)? as u64 > LARGEST {
+        return Err(io::Error::new(
+            ErrorKind::FileTooLarge,
+            format!("it has more than {LARGEST} bytes, which no state needs"),
+        ));
+    }
+    Ok(text)
 }
 
 /// Whether a state has the eight nodal coordinates of a cable element.

@@ -79,7 +79,8 @@ impl<M: Embedded> Adaptive<M> {
             return GROWTH.0;
         }
         let wanted = SAFETY * (self.tolerance / error).powf(1.0 / f64::from(M::ORDER + 1));
-        if wanted.is_finite() { wanted.clamp(SHRINKAGE, GROWTH.0) } else { SHRINKAGE }
+        // An error so small that the ratio overflows is as good as none; one that is not a number is no small one.
+        if wanted.is_nan() { SHRINKAGE } else { wanted.clamp(SHRINKAGE, GROWTH.0) }
     }
 }
 

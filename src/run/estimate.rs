@@ -72,31 +72,56 @@ where
     Error: From<M::Error>,
 {
     let model = model.try_into()?;
-    let scene = &model.scene().clone();
-    if scene.time.has_load_column() {
-        let allowed = "\"load\" with an estimate: with \"arc-length\" the rows of runs with other steps or elements lie \
-                       elsewhere on the path, and cannot be compared";
-        let (file, key, value) = ("estimate".into(), "time.path".into(), format!("\"{}\"", scene.time.path));
-        return Err(Error::Scene { file, key, value, allowed: allowed.into() });
+    Simulation::of(model)?.finish_estimated(on_step)
+}
+
+impl Simulation {
+    /// [`finish_with_progress`](Simulation::finish_with_progress) with an estimate of the errors, from a simulation that has made no
+    /// step yet. Where the estimate fails, the rows are still to be read.
+    ///
+    /// # Errors
+    /// Those of [`run_estimated`].
+    pub fn finish_estimated(&mut self, on_step: impl FnMut(usize)) -> Result<Run> {
+        let model = self.model().clone();
+        let scene = model.scene();
+        if scene.time.has_load_column() {
+            let allowed = "\"load\" with an estimate: with \"arc-length\" the rows of runs with other steps or elements lie \
+                           elsewhere on the path, and cannot be compared";
+            let (file, key, value) = ("estimate".into(), "time.path".into(), format!("\"{}\"", scene.time.path));
+            return Err(Error::Scene { file, key, value, allowed: allowed.into() });
+        }
+        let observer = Observer::of(scene);
+        let (mut own, seen) = observer.run_with_progress(self, on_step)?;
+        match accuracy(&observer, &model, &own, &seen) {
+            Ok(accuracy) => own.accuracy = accuracy,
+            Err(error) => {
+                self.put_back(own.trajectory);
+                return Err(error);
+            }
+        }
+        Ok(own)
     }
-    let observer = Observer::of(scene);
-    let (mut own, seen) = observer.run_with_progress(Simulation::of(model.clone())?, on_step)?;
-    let (finer, in_time, seen_in_time, how) = refine_in_time(&observer, scene, own.counts.steps)?;
-    let time = observer.changes(&seen, &seen_in_time, |_| true);
+}
+
+/// Estimated errors of a run that was observed.
+fn accuracy(observer: &Observer, model: &Model, own: &Run, seen: &Observations) -> Result<Accuracy> {
+    let scene = observer.scene;
+    let (finer, in_time, seen_in_time, how) = refine_in_time(observer, scene, own.counts.steps)?;
+    let time = observer.changes(seen, &seen_in_time, |_| true);
 
     // Explicit steps must be shorter on a finer mesh, so that the comparison uses equally short ones.
     let explicit = scene.time.method.is_explicit();
     let (base, run_of_base, seen_of_base) =
-        if explicit { (&finer, &in_time, &seen_in_time) } else { (scene, &own, &seen) };
+        if explicit { (&finer, &in_time, &seen_in_time) } else { (scene, own, seen) };
     let mut mesh = base.clone();
     mesh.rods.iter_mut().for_each(|rod| rod.elements *= 2);
     let on_mesh = if explicit { format!("twice the elements at {how}") } else { "twice the elements".into() };
     let (on_finer, seen_on_finer) = stable_simulation(mesh)
-        .and_then(|mesh| observer.run_with_progress(mesh, |_| ()))
+        .and_then(|mut mesh| observer.run_with_progress(&mut mesh, |_| ()))
         .map_err(|error| no_estimate(&on_mesh, error))?;
     let space = observer.changes(seen_of_base, &seen_on_finer, |_| true);
 
-    let directions = [&own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
+    let directions = [own, &in_time, &on_finer].map(|run| run.unstable_directions).into_iter().max().unwrap_or(0);
     if directions > 0 {
         return Err(Error::Unstable { directions });
     }
@@ -107,13 +132,13 @@ where
     if scene.time.method != Method::Static {
         let observed = time.iter().zip(&space).map(|(time, space)| time + space).collect();
         let errors = Errors { observed, columns: &columns };
-        amplification = Some(perturbed::amplification(&observer, model, &own, &seen, &errors)?);
+        amplification = Some(perturbed::amplification(observer, model.clone(), own, seen, &errors)?);
     }
-    observer.judge(&seen, &time, &space)?;
+    observer.judge(seen, &time, &space)?;
     if has_loads(scene) {
         // A run that fails shows nothing about convergence.
         if columns.iter().any(|column| is_unsure(column, column.time)) {
-            let again = refine_in_time(&observer, &finer, in_time.counts.steps).ok();
+            let again = refine_in_time(observer, &finer, in_time.counts.steps).ok();
             let second = again.map(|(_, run, ..)| changes(&in_time.trajectory, &run.trajectory));
             judge_convergence(&mut columns, |column| column.time, &time_changes, second.as_deref());
         }
@@ -125,7 +150,7 @@ where
         }
     }
     let worst = |errors: Vec<f64>| errors.into_iter().fold(0.0, f64::max);
-    let pairs = [(&seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
+    let pairs = [(seen, &seen_in_time), (seen_of_base, &seen_on_finer)];
     let at_rows = pairs.map(|(own, finer)| worst(observer.changes(own, finer, |is_row| is_row))).iter().sum();
     let [time, space] = [time, space].map(worst);
     let when = observer.schedule();
@@ -134,8 +159,7 @@ where
         Some(Estimate { value, unit: "m", method })
     };
     let (time, space) = (estimate(time, &how), estimate(space, &on_mesh));
-    own.accuracy = Accuracy { time, space, at_rows: Some(at_rows), columns, amplification };
-    Ok(own)
+    Ok(Accuracy { time, space, at_rows: Some(at_rows), columns, amplification })
 }
 
 /// Marks the columns without a sure digit, because of one of their errors: whether they change by as much when halved

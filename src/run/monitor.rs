@@ -118,8 +118,8 @@ impl Monitor {
     ///
     /// # Errors
     /// [`Error::LostInRounding`] for statics without a reliable digit.
-    pub fn end(self, structure: &Structure, state: &State, warnings: &mut Vec<String>) -> Result<usize> {
-        if let Some(rounding) = self.rounding {
+    pub fn end(&self, structure: &Structure, state: &State, warnings: &mut Vec<String>) -> Result<usize> {
+        if let Some(rounding) = &self.rounding {
             warnings.extend(rounding.warning());
             return Ok(0);
         }

@@ -127,11 +127,15 @@ impl Observer<'_> {
     }
 
     pub(super) fn run(&self, scene: &Scene) -> Result<(Run, Observations)> {
-        self.run_with_progress(Simulation::new(scene)?, |_| ())
+        self.run_with_progress(&mut Simulation::new(scene)?, |_| ())
     }
 
     /// Runs the scene, or a finer one with several steps per step, and observes it.
-    pub(super) fn run_with_progress(&self, run: Simulation, on_step: impl FnMut(usize)) -> Result<(Run, Observations)> {
+    pub(super) fn run_with_progress(
+        &self,
+        run: &mut Simulation,
+        on_step: impl FnMut(usize),
+    ) -> Result<(Run, Observations)> {
         let parts = (run.model().scene().steps() / self.scene.steps()).max(1);
         let located: Vec<Located> = self
             .observables

@@ -45,7 +45,7 @@ pub(super) fn amplification(
     let (size, end) = (DEVIATION * observer.scene.size(), observer.scene.time.end);
     let what = format!("a deviation of {size:.0e} m at the start");
     let (perturbed, seen_of_it) = Simulation::perturbed(model, size, SHORTEST_PERIOD * end)
-        .and_then(|run| observer.run_with_progress(run, |_| ()))
+        .and_then(|mut run| observer.run_with_progress(&mut run, |_| ()))
         .map_err(|error| Error::NoEstimate { what, reason: error.to_string() })?;
     let distances = observer.distances(seen, &seen_of_it, |_| true);
     let amplification =

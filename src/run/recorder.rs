@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::energy::Energy;
-use super::trajectory::Trajectory;
+use super::trajectory::{Rows, Trajectory};
 use super::window_mean::WindowMean;
 use crate::error::{Error, Result};
 use crate::integrators::{Counts, EquationOfMotion, State};
@@ -17,9 +17,8 @@ pub struct Recorder {
     readings: Vec<Reading>,
     /// Whether a reading is a mean, for which each step counts.
     has_means: bool,
-    /// Memory for all rows; below, the number of rows recorded.
-    rows: Vec<Vec<f64>>,
-    written: usize,
+    /// Rows recorded, with memory for all of them.
+    rows: Rows,
     /// Equation of motion, if a probe needs an acceleration or a reaction.
     motion: Option<EquationOfMotion>,
     /// Accelerations; below, multipliers of the equation of motion. Zero where no probe needs them.
@@ -43,15 +42,19 @@ impl Recorder {
         counts: &mut Counts,
     ) -> Result<Recorder> {
         let columns = scene.columns();
-        let rows = (0..=scene.steps()).filter(|step| scene.is_row(*step));
+        let count = (0..=scene.steps()).filter(|step| scene.is_row(*step)).count();
+        let rows = Rows::with_memory(columns.len(), count).map_err(|_| Error::OutOfMemory {
+            what: format!("the rows of the trajectory, {count} of {} columns,", columns.len()),
+            gigabytes: 8e-9 * (count * columns.len()) as f64,
+            allowed: "a longer `output.interval`, fewer probes, or a computer with more memory".into(),
+        })?;
         let probed = scene.probes.iter().flat_map(|probe| probe.of.iter().map(move |quantity| (probe, *quantity)));
         let zeros = || DVector::zeros(structure.size());
         Ok(Recorder {
             readings: probed.map(|(probe, quantity)| Reading::of(structure, probe, quantity)).collect::<Result<_>>()?,
             has_means: scene.probes.iter().any(|probe| probe.mean.is_some()),
-            rows: rows.map(|_| Vec::with_capacity(columns.len())).collect(),
+            rows,
             columns,
-            written: 0,
             motion: plan.acceleration.then(|| EquationOfMotion::new(structure, counts)).transpose()?,
             a: zeros(),
             multipliers: zeros(),
@@ -110,7 +113,26 @@ impl Recorder {
         }
     }
 
+    /// Records a row.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], and those of the energies; there is no such row then.
     pub fn record(
+        &mut self,
+        structure: &Structure,
+        state: &State,
+        multipliers: Option<&DVector<f64>>,
+        counts: &mut Counts,
+    ) -> Result<()> {
+        let before = self.rows.len();
+        let recorded = self.record_row(structure, state, multipliers, counts);
+        if recorded.is_err() {
+            self.rows.truncate(before);
+        }
+        recorded
+    }
+
+    fn record_row(
         &mut self,
         structure: &Structure,
         state: &State,
@@ -120,35 +142,35 @@ impl Recorder {
         self.accelerate(structure, state, counts);
         let multipliers = multipliers.unwrap_or(&self.multipliers);
         let now = Now { state, instant: Instant { u: &state.u, a: &self.a, t: state.load, multipliers } };
-        let Some(row) = self.rows.get_mut(self.written) else { return Ok(()) };
-        // A failed attempt may have left its numbers.
-        row.clear();
-        row.push(state.t);
+        if self.rows.is_full() {
+            return Ok(());
+        }
+        let (before, row) = (self.rows.len(), &mut self.rows);
+        row.extend([state.t]);
         row.extend(self.has_load.then_some(state.load));
         for reading in &mut self.readings {
             let value = match &mut reading.mean {
                 None => reading.place.read(structure, &now),
                 Some(mean) => {
                     // At the start there was no step.
-                    if self.written == 0 {
+                    if before == 0 {
                         mean.add(state.t, reading.place.read(structure, &now));
                     }
                     mean.mean()
                 }
             };
-            row.extend(&value[..reading.columns]);
+            row.extend(value.into_iter().take(reading.columns));
         }
         let energies = self.energy.as_mut().map(|energy| energy.row(structure, state));
         if self.has_energies {
-            row.extend(energies.iter().flatten());
+            row.extend(energies.into_iter().flatten());
         }
-        if !row.iter().all(|value| value.is_finite()) {
+        if !row.after(before).iter().all(|value| value.is_finite()) {
             return Err(Error::NotFinite { quantity: "the output", time: state.t, step: state.step });
         }
         if let (Some(energy), Some(energies)) = (&mut self.energy, energies) {
             energy.check(energies, structure, state, self.method)?;
         }
-        self.written += 1;
         Ok(())
     }
 
@@ -163,13 +185,18 @@ impl Recorder {
     }
 
     /// Rows recorded so far.
-    pub fn rows(&self) -> &[Vec<f64>] {
-        self.rows.get(..self.written).unwrap_or_default()
+    pub fn rows(&self) -> &Rows {
+        &self.rows
     }
 
-    pub fn into_trajectory(mut self) -> Trajectory {
-        self.rows.truncate(self.written);
-        Trajectory { columns: self.columns, rows: self.rows }
+    /// Hands over the rows recorded so far; none are left.
+    pub fn take_trajectory(&mut self) -> Trajectory {
+        Trajectory { columns: self.columns.clone(), rows: std::mem::take(&mut self.rows) }
+    }
+
+    /// Takes rows back.
+    pub fn put_back(&mut self, trajectory: Trajectory) {
+        self.rows = trajectory.rows;
     }
 }
 

@@ -5,7 +5,7 @@ use super::trajectory::Trajectory;
 use crate::integrators::Counts;
 
 /// Result of a run.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Run {
     /// Recorded rows.
     pub trajectory: Trajectory,

@@ -9,6 +9,7 @@ use super::recorder::Recorder;
 use super::result::Run;
 use super::ringing;
 use super::rotation::RotationWatch;
+use super::trajectory::Trajectory;
 use super::warnings::warnings;
 use crate::error::{Error, Result, time_text};
 use crate::integrators::{Counts, EquationOfMotion, Integrator, State, integrator};
@@ -283,22 +284,55 @@ impl Simulation {
         result
     }
 
-    /// Advances to the end of the scene and returns its rows, counters and warnings.
+    /// Advances to the end of the scene and hands over its rows, counters and warnings. Where that fails, the rows until then
+    /// are still to be read.
+    ///
+    /// ```
+    /// use ancf::{model::{Method, Scene}, run::Simulation};
+    ///
+    /// let scene = Scene::builtin("pendulum-2d").unwrap().method(Method::EnergyMomentum, 0.01);
+    /// let mut too_sudden = Simulation::new(scene)?;
+    /// assert!(too_sudden.finish().is_err());
+    /// assert!(too_sudden.rows().last().unwrap()[0] < 1.0);
+    /// # Ok::<(), ancf::error::Error>(())
+    /// ```
     ///
     /// # Errors
     /// Those of [`step`](Simulation::step); [`Error::LostInRounding`] where rounding is most of a static displacement.
-    pub fn finish(mut self) -> Result<Run> {
-        while self.step()? {}
+    pub fn finish(&mut self) -> Result<Run> {
+        self.finish_with_progress(|_| ())
+    }
+
+    /// [`finish`](Simulation::finish) that calls `on_step` after each step with the number of steps done, of [`Scene::steps`].
+    ///
+    /// # Errors
+    /// Those of [`finish`](Simulation::finish).
+    pub fn finish_with_progress(&mut self, mut on_step: impl FnMut(usize)) -> Result<Run> {
+        while self.step()? {
+            on_step(self.done);
+        }
         let scene = self.model.scene();
         let mut warnings = warnings(scene);
         warnings.extend((scene.time.has_load_column() && self.state.load < 1.0).then(|| short_path(&self.state)));
         let unstable_directions = self.monitor.end(&self.structure, &self.state, &mut warnings)?;
         warnings.extend(self.recorder.imbalance_warning(&self.structure));
         warnings.extend(self.rotation.warning());
-        warnings.extend(self.growth.and_then(|growth| growth.warning()));
-        let (trajectory, counts) = (self.recorder.into_trajectory(), self.counts);
+        warnings.extend(self.growth.as_ref().and_then(GrowthWatch::warning));
+        let (trajectory, counts) = (self.recorder.take_trajectory(), self.counts);
         warnings.extend(ringing::warning(self.model.scene(), &trajectory));
         Ok(Run { trajectory, counts, warnings, unstable_directions, accuracy: Accuracy::default() })
+    }
+
+    /// What there is of the run until now, without its warnings; of a run that failed the rows until then.
+    pub fn into_run(mut self) -> Run {
+        let trajectory = self.recorder.take_trajectory();
+        let (counts, accuracy) = (self.counts, Accuracy::default());
+        Run { trajectory, counts, warnings: Vec::new(), unstable_directions: 0, accuracy }
+    }
+
+    /// Takes rows back that [`finish`](Simulation::finish) handed over.
+    pub(super) fn put_back(&mut self, trajectory: Trajectory) {
+        self.recorder.put_back(trajectory);
     }
 
     /// Makes steps of the method until the time `t`, and monitors each of them. This loop allocates no memory.
@@ -504,7 +538,7 @@ impl Simulation {
     /// # Ok::<(), ancf::error::Error>(())
     /// ```
     pub fn rows(&self) -> impl Iterator<Item = &[f64]> {
-        self.recorder.rows().iter().map(Vec::as_slice)
+        self.recorder.rows().iter()
     }
 
     /// Structure, for [`Integrator`]s of your own.
@@ -566,7 +600,7 @@ where
     M: TryInto<Model>,
     Error: From<M::Error>,
 {
-    run_watched(Simulation::new(model)?, on_step, |_| ())
+    Simulation::new(model)?.finish_with_progress(on_step)
 }
 
 /// Runs a scene with a given plan, which may compute more than the scene needs.
@@ -574,7 +608,7 @@ where
 /// # Errors
 /// Those of [`Simulation::planned`] and [`Simulation::finish`].
 pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(usize)) -> Result<Run> {
-    run_watched(Simulation::planned(scene.try_into()?, plan)?, on_step, |_| ())
+    Simulation::planned(scene.try_into()?, plan)?.finish_with_progress(on_step)
 }
 
 /// Runs a simulation to its end; `see` is called at the start and after each step.
@@ -582,13 +616,13 @@ pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(usize)) -> Re
 /// # Errors
 /// Those of [`Simulation::finish`].
 pub fn run_watched(
-    mut simulation: Simulation,
+    simulation: &mut Simulation,
     mut on_step: impl FnMut(usize),
     mut see: impl FnMut(&Simulation),
 ) -> Result<Run> {
-    see(&simulation);
+    see(simulation);
     while simulation.step()? {
-        see(&simulation);
+        see(simulation);
         on_step(simulation.steps_done());
     }
     simulation.finish()

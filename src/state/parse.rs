@@ -9,6 +9,9 @@ use crate::model::{Refusal, ThermalModel, read_json, refuse_in_file};
 /// Allowed distance of e0 from the straight, unstretched element of `theta`, as a fraction of 1 + l.
 const STRAIGHT: f64 = 1e-9;
 
+/// Most points: each has a thousand numbers in a listing.
+const MOST_POINTS: usize = 1000;
+
 type Check = std::result::Result<(), Refusal>;
 
 impl ElementState {
@@ -141,6 +144,11 @@ impl<const N: usize> BeamState<N> {
         if self.points.is_empty() {
             let allowed = "one point [x, y] at least".into();
             return Err(Refusal { key: "points".into(), value: "[]".into(), allowed });
+        }
+        if self.points.len() > MOST_POINTS {
+            let (value, allowed) =
+                (format!("a list of {}", self.points.len()), format!("at most {MOST_POINTS} points"));
+            return Err(Refusal { key: "points".into(), value, allowed });
         }
         for (n, [x, y]) in self.points.iter().enumerate() {
             if !(0.0..=self.l).contains(x) {

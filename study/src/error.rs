@@ -27,6 +27,15 @@ pub enum Error {
         /// The system's reason.
         source: std::io::Error,
     },
+    /// An output file would replace a file that the command reads.
+    #[error(
+        "{path} is read by this command, and its output of the same name would replace it; allowed: another folder for `--out`, or \
+         another name for the input"
+    )]
+    OverwritesInput {
+        /// The file.
+        path: PathBuf,
+    },
     /// No scene or case of the study has that name.
     #[error("{file}: `{key}` is {value}; allowed: {allowed}")]
     Name {
@@ -89,7 +98,7 @@ impl Error {
     pub fn is_bad_input(&self) -> bool {
         match self {
             Error::Run(error) => error.is_bad_input(),
-            Error::Name { .. } | Error::Table { .. } | Error::Read { .. } => true,
+            Error::Name { .. } | Error::Table { .. } | Error::Read { .. } | Error::OverwritesInput { .. } => true,
             _ => false,
         }
     }

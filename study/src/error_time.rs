@@ -31,7 +31,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use crate::error::Result;
-use crate::files::{Files, written};
+use crate::files::{Files, written_lines};
 use crate::parallel::progress_bar;
 use crate::scene::ELEMENTS;
 use ancf::model::Element;
@@ -47,6 +47,9 @@ pub use study::Options;
 /// File of the other program's runs.
 const PEERS: &str = "peers.csv";
 
+/// Files that the study writes.
+pub(crate) const FILES: [&str; 4] = ["error-time.csv", "error-time.json", "error-time.svg", "error-time.html"];
+
 /// Scene of the quick study.
 const QUICK_SCENE: &str = "pendulum-flexible";
 
@@ -58,9 +61,9 @@ const QUICK_SCENE: &str = "pendulum-flexible";
 /// [`Error::Write`](crate::error::Error::Write). Runs that fail are points of the result.
 pub fn study(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     // First, so that a folder that cannot be written is found before the work.
-    let mut files = Files::in_folder(out)?;
+    let mut files = Files::in_folder(out, FILES, &[&peers_file(options, out)])?;
     let (seconds, _) = part(options, out, &mut files, &print)?;
-    print(&written(&files.publish()?))?;
+    print(&written_lines(&files.publish()?))?;
     print(&format!("{seconds:.1} s in all\n"))
 }
 
@@ -76,10 +79,10 @@ pub(crate) fn part(
     let svg = picture::svg(&study.groups)?;
     let html = page::page(&study, &svg);
     let points = study.groups.iter().flat_map(Group::all_points);
-    files.write("error-time.csv", |file| tables::points(points).csv(file))?;
-    files.write("error-time.json", |file| Ok(serde_json::to_writer_pretty(file, &study)?))?;
-    files.write("error-time.svg", |file| file.write_all(svg.as_bytes()))?;
-    files.write("error-time.html", |file| file.write_all(html.as_bytes()))?;
+    files.write_table("error-time.csv", |file| tables::points(points).csv(file))?;
+    files.write_json("error-time.json", &study)?;
+    files.write_text("error-time.svg", svg.clone())?;
+    files.write_text("error-time.html", html)?;
     Ok((study.wall_seconds, svg))
 }
 
@@ -129,18 +132,19 @@ fn subjects(options: &Options) -> Result<Vec<Subject>> {
     pairs.map(subject).collect()
 }
 
+/// File with the other program's rows.
+fn peers_file(options: &Options, out: &Path) -> PathBuf {
+    options.peers.clone().unwrap_or_else(|| out.join(PEERS))
+}
+
 /// The other program's rows, and a sentence on them.
 fn read_peers(options: &Options, out: &Path) -> Result<(Vec<Peer>, String)> {
-    let default = out.join(PEERS);
-    let file = match &options.peers {
-        Some(file) => file,
-        None if default.exists() => &default,
-        None => {
-            let how = format!("`{} --out {}` does", peers::COMMAND, default.display());
-            return Ok((Vec::new(), format!("No other program was measured: {how}.")));
-        }
-    };
-    let rows = peers::read(file)?;
+    let file = peers_file(options, out);
+    if options.peers.is_none() && !file.exists() {
+        let how = format!("`{} --out {}` does", peers::COMMAND, file.display());
+        return Ok((Vec::new(), format!("No other program was measured: {how}.")));
+    }
+    let rows = peers::read(&file)?;
     let mut programs: Vec<&str> = rows.iter().map(|row| row.point.program.as_str()).collect();
     programs.sort_unstable();
     programs.dedup();

@@ -1,6 +1,6 @@
 //! HTML pages. All text is escaped.
 
-use crate::escape::escape;
+use crate::escape::html as escape;
 use crate::table::Table;
 
 /// A page under construction.

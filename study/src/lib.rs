@@ -5,7 +5,7 @@ mod axis;
 mod canvas;
 pub mod error;
 pub mod error_time;
-mod escape;
+pub mod escape;
 mod figure;
 pub mod files;
 mod fixture;

@@ -23,6 +23,9 @@ use crate::paper::scissors::Structure;
 use crate::paper::section4::{self, A4Row};
 use crate::{error_time, report_page, stability};
 
+/// Files that the main job writes beside those of its studies.
+const FILES: [&str; 4] = ["report.html", "pendulum.csv", "scissors.csv", "main.json"];
+
 /// The content of `main.json`.
 #[derive(Serialize)]
 struct Report {
@@ -56,7 +59,8 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
         print(text)
     };
     // First, so that a folder that cannot be written is found before the work.
-    let mut files = Files::in_folder(out)?;
+    let names = [&pendulum::PICTURES[..], &section4::PICTURES, &error_time::FILES, &stability::FILES, &FILES];
+    let mut files = Files::in_folder(out, names.concat(), &[])?;
     let (known, pinned, solids) = (Oracle::load()?, Structures::load()?, Continuum::load()?);
 
     print("Peng et al. (2018), Section 3: the heated pendulum of Table 1\n\n")?;
@@ -100,13 +104,13 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let mut pictures = pendulum::pictures(&models, &known.rigid, &solids)?;
     pictures.extend(section4::pictures(&structure)?);
     for (name, svg) in &pictures {
-        files.write(name, |file| file.write_all(svg.as_bytes()))?;
+        files.write_text(name, svg.clone())?;
     }
     pictures.extend([("error-time.svg", error_time), ("stability.svg", stability)]);
     let page = report_page::page(&all_text.borrow(), &pictures);
-    files.write("report.html", |file| file.write_all(page.as_bytes()))?;
-    files.write("pendulum.csv", |file| pendulum::curves(&models).write_csv(file))?;
-    files.write("scissors.csv", |file| section4::curves(&structure).write_csv(file))?;
+    files.write_text("report.html", page)?;
+    files.write_table("pendulum.csv", |file| pendulum::curves(&models).write_csv(file))?;
+    files.write_table("scissors.csv", |file| section4::curves(&structure).write_csv(file))?;
     let (wall_seconds, tip) = (clock.elapsed().as_secs_f64(), models.iter().flat_map(Model::rows).collect());
     let report = Report {
         wall_seconds,
@@ -122,7 +126,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
         energy,
         claims,
     };
-    files.write("main.json", |file| Ok(serde_json::to_writer_pretty(file, &report)?))?;
+    files.write_json("main.json", &report)?;
     let paths = files.publish()?;
     print(&format!("Written after {wall_seconds:.1} s:\n"))?;
     print(&paths.iter().map(|path| format!("   {}\n", path.display())).collect::<String>())?;

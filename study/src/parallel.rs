@@ -19,7 +19,11 @@ pub fn in_parallel<J: Sync, R: Send>(
     f: impl Fn(&J) -> Result<R> + Sync + Send,
 ) -> Result<Vec<R>> {
     let bar = progress_bar(what, jobs.len());
-    let results = jobs.par_iter().progress_with(bar.clone()).map(f).collect();
+    let results = match rayon::ThreadPoolBuilder::new().build() {
+        Ok(pool) => pool.install(|| jobs.par_iter().progress_with(bar.clone()).map(f).collect()),
+        // Where the system gives no threads, this one does the work.
+        Err(_) => jobs.iter().map(|job| f(job).inspect(|_| bar.inc(1))).collect(),
+    };
     bar.finish_and_clear();
     results
 }

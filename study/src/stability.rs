@@ -40,11 +40,14 @@ mod units;
 use std::path::Path;
 
 use crate::error::{Error, Result};
-use crate::files::{Files, written};
+use crate::files::{Files, written_lines};
 pub use case::Case;
 pub use cases::names;
 pub use row::{StabilityRow, Verdict};
 pub use study::{StabilityStudy, Subset, Swept, measure};
+
+/// Files that the study writes.
+pub(crate) const FILES: [&str; 4] = ["stability.csv", "stability.json", "stability.svg", "stability.html"];
 
 /// `ancf stability`: runs the cases, prints the table and writes the files.
 ///
@@ -53,11 +56,11 @@ pub use study::{StabilityStudy, Subset, Swept, measure};
 /// Runs that fail are rows.
 pub fn study(names: &[String], out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     // First, so that a folder that cannot be written is found before the work.
-    let mut files = Files::in_folder(out)?;
+    let mut files = Files::in_folder(out, FILES, &[])?;
     let study = measure(names, Subset::Full)?;
     print(&report::text(&study))?;
     write(&study, &mut files)?;
-    print(&written(&files.publish()?))?;
+    print(&written_lines(&files.publish()?))?;
     print(&format!("{:.1} s in all\n", study.wall_seconds))?;
     let mut wrong = study.wrong();
     match wrong.next() {
@@ -77,9 +80,9 @@ pub(crate) fn part(files: &mut Files, print: impl Fn(&str) -> Result<()>) -> Res
 
 fn write(study: &StabilityStudy, files: &mut Files) -> Result<String> {
     let svg = picture::svg(&study.cases)?;
-    files.write("stability.csv", |file| report::csv(study).csv(file))?;
-    files.write("stability.json", |file| Ok(serde_json::to_writer_pretty(file, study)?))?;
-    files.write("stability.svg", |file| file.write_all(svg.as_bytes()))?;
-    files.write("stability.html", |file| file.write_all(report::page(study, &svg).as_bytes()))?;
+    files.write_table("stability.csv", |file| report::csv(study).csv(file))?;
+    files.write_json("stability.json", study)?;
+    files.write_text("stability.svg", svg.clone())?;
+    files.write_text("stability.html", report::page(study, &svg))?;
     Ok(svg)
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use crate::escape::escape;
+use crate::escape;
 
 /// How the cells of a column are shown to people; CSV has every digit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,10 +67,8 @@ impl Table {
 
     /// The table as text: indented, each column as wide as its widest cell. Control characters are escaped, so that a cell keeps to its line.
     pub fn text(&self) -> String {
-        let printable = |cell: &String| -> String {
-            cell.chars().map(|c| if c.is_control() { c.escape_default().to_string() } else { c.into() }).collect()
-        };
-        let lines: Vec<Vec<String>> = self.shown().map(|line| line.iter().map(printable).collect()).collect();
+        let printable = |cell: String| escape::line(&cell);
+        let lines: Vec<Vec<String>> = self.shown().map(|line| line.into_iter().map(printable).collect()).collect();
         let width = |n: usize| lines.iter().map(|line| line[n].chars().count()).max().unwrap_or(0);
         let columns: Vec<(usize, Format)> =
             self.columns.iter().enumerate().map(|(n, (_, format))| (width(n), *format)).collect();
@@ -91,7 +89,7 @@ impl Table {
 
     /// The table as an HTML element, all text escaped.
     pub fn html(&self) -> String {
-        let mut lines = self.shown().map(|line| line.into_iter().map(|cell| escape(&cell)).collect::<Vec<_>>());
+        let mut lines = self.shown().map(|line| line.into_iter().map(|cell| escape::html(&cell)).collect::<Vec<_>>());
         let head = lines.next().unwrap_or_default().join("</th><th>");
         let rows: String = lines.map(|line| format!("<tr><td>{}</td></tr>\n", line.join("</td><td>"))).collect();
         format!(
@@ -99,12 +97,13 @@ impl Table {
         )
     }
 
-    /// Writes the table as CSV: numbers with as many digits as read back to the same value.
+    /// Writes the table as CSV: numbers with as many digits as read back to the same value, words so that no spreadsheet takes them for
+    /// formulas.
     pub fn csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(out);
         writer.write_record(self.columns.iter().map(|(heading, _)| heading))?;
         for row in &self.rows {
-            writer.write_record(row.iter().map(Cell::whole))?;
+            writer.write_record(row.iter().map(Cell::in_csv))?;
         }
         writer.flush()
     }
@@ -116,6 +115,13 @@ impl Cell {
             (Cell::Missing, _) => "–".into(),
             (Cell::Number(number), Format::Fixed(digits)) => format!("{number:.digits$}"),
             (Cell::Number(number), Format::Power(digits)) => format!("{number:.digits$e}"),
+            _ => self.whole(),
+        }
+    }
+
+    fn in_csv(&self) -> String {
+        match self {
+            Cell::Words(words) => escape::csv_cell(words),
             _ => self.whole(),
         }
     }
@@ -198,5 +204,12 @@ mod tests {
         assert_eq!(rows[0], vec!["a\nb", "0.3333333333333333", "12"]);
         assert_eq!(rows[0][1].parse(), Ok(1.0 / 3.0));
         assert_eq!(rows[1], vec!["<long> name", "", "7"]);
+    }
+
+    #[test]
+    fn csv_has_numbers_as_they_are_and_no_formulas() {
+        let mut csv = Vec::new();
+        Table::new("a | b :.0 | c", [cells!["=1+1", -2.0, "\u{1b}[2J"]]).csv(&mut csv).unwrap();
+        assert_eq!(String::from_utf8(csv).unwrap(), "a,b,c\n'=1+1,-2.0,\\u{1b}[2J\n");
     }
 }

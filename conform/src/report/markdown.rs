@@ -20,11 +20,15 @@ impl Report {
     /// The result in one line.
     pub fn summary(&self) -> String {
         if let Some(fault) = &self.program.no_hello {
-            return format!("it did not answer hello: {fault}");
+            return format!("it did not answer hello: {}", plain(fault));
         }
         let count = |word: &str| self.quantities.iter().filter(|row| row.counts.word() == word).count();
-        let (pass, fail, missing) = (count("pass"), count("**fail**"), count("not implemented"));
+        let (pass, fail, missing) = (count("pass") + count(PARTLY), count("**fail**"), count("not implemented"));
         let mut text = format!("{pass} quantities pass, {fail} fail, {missing} are not implemented.");
+        let partly = self.partly_checked_text();
+        if !partly.is_empty() {
+            text += &format!(" Partly checked: {partly}.");
+        }
         if let Some(digits) = self.quantities.iter().filter_map(|row| row.counts.digits).reduce(f64::min) {
             text += &format!(" At least {digits:.1} correct digits.");
         }
@@ -41,25 +45,47 @@ impl Report {
         text
     }
 
+    /// What was checked in part, in words; empty if all of it was.
+    pub fn partly_checked_text(&self) -> String {
+        let mut groups: BTreeMap<(usize, usize), Vec<&str>> = BTreeMap::new();
+        for row in &self.partly_checked {
+            groups.entry((row.checked, row.of)).or_default().extend(row.quantity);
+        }
+        let group = |((checked, of), quantities): (&(usize, usize), &Vec<&str>)| match &quantities[..] {
+            [] => format!("{checked} of {of} states that must be refused"),
+            [one] => format!("{checked} of {of} cases of `{one}`"),
+            [first, others @ ..] => format!("{checked} of {of} cases of `{first}` and of {} more", others.len()),
+        };
+        // Quantities first, then the states that must be refused.
+        let (refused, quantities): (Vec<_>, Vec<_>) = groups.iter().partition(|(_, quantities)| quantities.is_empty());
+        quantities.into_iter().chain(refused).map(group).collect::<Vec<_>>().join("; ")
+    }
+
     fn write_markdown(&self, out: &mut String) -> std::fmt::Result {
-        writeln!(out, "## Conformance of {}\n\n{}\n", cell(&self.program.name), self.summary())?;
+        writeln!(out, "## Conformance of {}\n\n{}\n", plain(&self.program.name), self.summary())?;
         self.write_conversation(out)?;
         self.write_silent(out)?;
         self.write_culprits(out)?;
         writeln!(out, "| quantity | | right / asked | digits | smallest failing case |\n|---|---|---|---|---|")?;
         for row in &self.quantities {
-            let Counts { pass, fail, .. } = row.counts;
-            let counts = if pass + fail == 0 { "–".into() } else { format!("{pass} / {}", pass + fail) };
+            let Counts { pass, fail, not_implemented, .. } = row.counts;
+            let counts = match (pass + fail, not_implemented) {
+                (0, _) => "–".into(),
+                (asked, 0) => format!("{pass} / {asked}"),
+                (asked, missing) => format!("{pass} / {asked} of {}", asked + missing),
+            };
             let (word, digits) = (row.counts.word(), row.counts.digits_text());
             writeln!(out, "| {} | {word} | {counts} | {digits} | {} |", row.quantity, row.example())?;
         }
         writeln!(out, "\n| tag | right | wrong | not implemented | digits |\n|---|---|---|---|---|")?;
         for (tag, counts) in &self.tags {
             let Counts { pass, fail, not_implemented, .. } = counts;
+            let tag = plain(tag);
             writeln!(out, "| {tag} | {pass} | {fail} | {not_implemented} | {} |", counts.digits_text())?;
         }
         self.write_invalid(out)?;
-        let versions: Vec<String> = self.fixtures.iter().map(|(file, version)| format!("{file} {version}")).collect();
+        let versions: Vec<String> =
+            self.fixtures.iter().map(|(file, version)| format!("{} {}", plain(file), plain(version))).collect();
         writeln!(
             out,
             "\nCorrect digits are −log₁₀ of the worst error, relative to the size of the terms that are added up. {} questions, {:.1} s, \
@@ -78,7 +104,7 @@ impl Report {
                 out,
                 "**It did not answer hello: {}.** Nothing was asked. The program must answer each line of JSON on its standard input with \
                  one on its standard output, the first with `{{\"hello\": {{\"name\": \"mine\"}}}}`.\n",
-                cell(fault)
+                plain(fault)
             )?;
         }
         if !self.program.unknown.is_empty() {
@@ -165,11 +191,12 @@ impl Report {
             let (what, came) = match row.verdict.outcome {
                 InvalidOutcome::Accepted => ("Not refused", "it answered a value".into()),
                 InvalidOutcome::Fault => {
-                    ("Neither refused nor answered", cell(row.verdict.detail.as_deref().unwrap_or_default()))
+                    ("Neither refused nor answered", plain(row.verdict.detail.as_deref().unwrap_or_default()))
                 }
                 InvalidOutcome::Refused | InvalidOutcome::NotImplemented => continue,
             };
-            let (id, equation, key, because) = (&row.case.id, &row.case.equation, &row.case.key, &row.case.because);
+            let [id, equation, key] = [&row.case.id, &row.case.equation, &row.case.key].map(|text| cell(text));
+            let because = plain(&row.case.because);
             writeln!(out, "\n{what}: `{id}`, asked for {equation}: {came}; `{key}` is invalid: {because}.")?;
         }
         Ok(())
@@ -178,10 +205,11 @@ impl Report {
 
 impl Counts {
     fn word(&self) -> &'static str {
-        match (self.fail, self.pass) {
-            (1.., _) => "**fail**",
-            (0, 1..) => "pass",
-            (0, 0) => "not implemented",
+        match (self.fail, self.pass, self.not_implemented) {
+            (1.., ..) => "**fail**",
+            (0, 1.., 0) => "pass",
+            (0, 1.., 1..) => PARTLY,
+            (0, 0, _) => "not implemented",
         }
     }
 
@@ -194,8 +222,10 @@ impl QuantityResult {
     /// The smallest failing case; empty if none fails.
     fn example(&self) -> String {
         let text = |FailingCase { case, failure, .. }: &FailingCase| match failure {
-            Failure::Wrong { answered, expected, .. } => format!("`{case}`: {answered:e}, expected {expected:e}"),
-            Failure::Fault { fault } => format!("`{case}`: {}", cell(fault)),
+            Failure::Wrong { answered, expected, .. } => {
+                format!("`{}`: {answered:e}, expected {expected:e}", cell(case))
+            }
+            Failure::Fault { fault } => format!("`{}`: {}", cell(case), plain(fault)),
         };
         self.smallest_failing.as_ref().map(text).unwrap_or_default()
     }
@@ -229,9 +259,20 @@ fn diagnosis_text(diagnosis: &Diagnosis) -> String {
     sentences.join(" ")
 }
 
-/// Text that stays within a cell of a table.
+/// Word for a quantity that passes where it was checked.
+const PARTLY: &str = "**partly checked**";
+
+/// Text that stays within a cell of a table, or within a span of code there. Neither a terminal nor a browser obeys it.
 fn cell(text: &str) -> String {
-    text.replace('|', "\\|").replace('`', "'").replace(char::is_control, " ")
+    let is_command = |c: char| {
+        c.is_control() || matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    text.replace('|', "\\|").replace('`', "'").replace(is_command, " ")
+}
+
+/// Text outside of a span of code, where HTML and links have a meaning, too.
+fn plain(text: &str) -> String {
+    cell(text).replace('&', "&amp;").replace('<', "&lt;").replace('[', "\\[")
 }
 
 fn capitalised(text: &str) -> String {
@@ -244,5 +285,6 @@ mod tests {
     #[test]
     fn a_name_stays_in_its_cell_and_line() {
         assert_eq!(super::cell("a|b\n# `c`"), "a\\|b # 'c'");
+        assert_eq!(super::plain("\u{1b}[2J<img src=x>\u{202e}&"), " \\[2J&lt;img src=x> &amp;");
     }
 }

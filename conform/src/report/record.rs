@@ -30,6 +30,10 @@ pub struct Report {
     /// Name and version of this format.
     #[schemars(extend("const" = SCHEMA))]
     pub schema: &'static str,
+    /// Run id, which the report's files share: the first 16 hexadecimal digits of the SHA-256 of this report without it. Empty until the
+    /// report is written.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub run: String,
     /// Version of `ancf`.
     pub ancf: &'static str,
     /// Version of each fixture file.
@@ -40,6 +44,8 @@ pub struct Report {
     pub chatter: Chatter,
     /// Whether no answer failed, every invalid state that was asked for was refused, and something is implemented.
     pub passes: bool,
+    /// Quantities that it answers in some cases and says it does not implement in others.
+    pub partly_checked: Vec<PartlyChecked>,
     /// The culprit to look at first; null if there is none.
     pub first_wrong: Option<CulpritResult>,
     /// Quantities that are wrong although their inputs are right, inputs before the quantities that use them.
@@ -60,6 +66,18 @@ pub struct Report {
     pub starts: usize,
     /// Duration of the examination, s.
     pub seconds: f64,
+}
+
+/// A quantity of which only a part was checked.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct PartlyChecked {
+    /// Name of the quantity; null for the states that must be refused.
+    pub quantity: Option<&'static str>,
+    /// Number of cases with an answer.
+    pub checked: usize,
+    /// Number of cases.
+    pub of: usize,
 }
 
 /// The program under test.
@@ -193,6 +211,7 @@ impl Report {
         let hello = examination.hello.as_ref();
         Report {
             schema: SCHEMA,
+            run: String::new(),
             ancf: env!("CARGO_PKG_VERSION"),
             fixtures: suite.versions.clone(),
             program: Program {
@@ -203,6 +222,7 @@ impl Report {
             },
             chatter: examination.chatter.clone(),
             passes: examination.passes(),
+            partly_checked: partly_checked(suite, examination),
             first_wrong: culprits.iter().find(|culprit| culprit.blame.numbers).or(culprits.first()).cloned(),
             culprits,
             silent: examination.blame.silent.clone(),
@@ -217,6 +237,28 @@ impl Report {
             seconds: examination.seconds,
         }
     }
+}
+
+/// Quantities that are implemented in some cases only, and the invalid states of implemented quantities if some of them are.
+fn partly_checked(suite: &Suite, examination: &Examination) -> Vec<PartlyChecked> {
+    let checked =
+        |cases: &[CaseVerdict]| cases.iter().filter(|(_, verdict)| *verdict != Verdict::NotImplemented).count();
+    let is_implemented =
+        |quantity: &str| examination.verdicts.iter().any(|(name, cases)| *name == quantity && checked(cases) > 0);
+    let quantities = examination.verdicts.iter().map(|(quantity, cases)| PartlyChecked {
+        quantity: Some(quantity),
+        checked: checked(cases),
+        of: cases.len(),
+    });
+    let invalid: Vec<bool> = (suite.invalid.iter().zip(&examination.invalid))
+        .filter(|(case, _)| is_implemented(&case.equation))
+        .map(|(_, verdict)| verdict.outcome != InvalidOutcome::NotImplemented)
+        .collect();
+    let refused =
+        PartlyChecked { quantity: None, checked: invalid.iter().filter(|asked| **asked).count(), of: invalid.len() };
+    // A quantity without any answer is not implemented, which is said elsewhere.
+    let quantities = quantities.filter(|row| row.checked > 0).chain([refused]);
+    quantities.filter(|row| row.checked < row.of).collect()
 }
 
 /// Culprits with their diagnoses. One that shows the mistake of an earlier culprit refers to it.

@@ -133,11 +133,14 @@ fn check_same_middle(scene: &Scene, first: &Rod, other: &Rod, key: impl Display)
     require(holds, key, format_args!("{:?}", other.pivot.as_deref().unwrap_or_default()), allowed)
 }
 
-/// Refuses names with characters that have a meaning in key paths (`points.a`) or in the header of a CSV file.
+/// Refuses names with characters that have a meaning in key paths (`points.a`) or in the header of a CSV file, and those that a spreadsheet
+/// would take for a formula.
 pub(in crate::model) fn check_name(key: impl Display, name: &str) -> Check {
     let refused = |c: char| c.is_control() || ".,;[]\"`".contains(c);
-    let holds = !name.is_empty() && name.trim() == name && !name.contains(refused);
-    require(holds, key, format_args!("{name:?}"), "a name without . , ; [ ] \" ` and without spaces at its ends")
+    let holds =
+        !name.is_empty() && name.trim() == name && !name.contains(refused) && !name.starts_with(['=', '+', '-', '@']);
+    let allowed = "a name without . , ; [ ] \" ` and without spaces at its ends, that does not begin with = + - @";
+    require(holds, key, format_args!("{name:?}"), allowed)
 }
 
 /// Refuses a name that no point has.

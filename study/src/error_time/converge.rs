@@ -51,7 +51,9 @@ struct Solution {
 /// # Errors
 /// Those of the runs, and [`Error::Write`].
 pub fn write_references(benchmarks: &[&'static Benchmark], folder: &Path) -> Result<Vec<PathBuf>> {
-    let mut files = Files::in_folder(folder)?;
+    let pairs = benchmarks.iter().flat_map(|benchmark| ELEMENTS.map(|element| (benchmark, element)));
+    let names = pairs.map(|(benchmark, element)| Reference::file_name(benchmark, element));
+    let mut files = Files::in_folder(folder, names, &[])?;
     let sequences: Vec<Halvings> = benchmarks.iter().flat_map(|benchmark| sequences(benchmark)).collect();
     let mut solutions = in_parallel("references", &sequences, Halvings::run)?.into_iter();
     for benchmark in benchmarks {

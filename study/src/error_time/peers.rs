@@ -13,6 +13,7 @@ use super::reference::Reference;
 use super::samples::Samples;
 use super::timing::Timing;
 use crate::error::{Error, Result};
+use crate::escape;
 use ancf::integrators::Counts;
 
 /// The command that writes the file.
@@ -81,7 +82,8 @@ pub fn parse(file: &str, text: &str) -> Result<Vec<Peer>> {
     for record in reader.records() {
         let record = record.map_err(malformed)?;
         let number = record.position().map_or(0, csv::Position::line);
-        let fields = places.iter().map(|&(name, place)| (name, record.get(place).unwrap_or_default().to_string()));
+        // Pictures are XML, which allows no control characters.
+        let fields = places.iter().map(|&(name, place)| (name, escape::line(record.get(place).unwrap_or_default())));
         peers.push(Line { file, number, fields: fields.collect() }.peer()?);
     }
     Ok(peers)

@@ -218,6 +218,10 @@ fn another_program_is_read_and_compared() {
     let found = peers::parse("peers.csv", &peer_file(&fields)).unwrap();
     assert_eq!((found[0].point.status, found[0].point.reason.as_str()), (Status::Failed, "diverged"));
     assert_eq!(found[0].samples, None);
+
+    fields[1].1 = "\u{1b}[2Jmine".into();
+    let found = peers::parse("peers.csv", &peer_file(&fields)).unwrap();
+    assert_eq!(found[0].point.program, "\\u{1b}[2Jmine 1.9", "a picture has no place for control characters");
 }
 
 #[test]

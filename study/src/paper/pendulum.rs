@@ -174,12 +174,16 @@ fn runs(kind: &ModelKind) -> [PendulumRun; 3] {
 pub fn curves(models: &[Model]) -> Trajectory {
     let names = models.iter().flat_map(|model| ["x", "y"].map(|component| format!("{}.{component}", model.kind.id)));
     let times = models.first().map_or(&[][..], |model| &model.tip.t);
-    let row = |(n, &t): (usize, &f64)| [t].into_iter().chain(models.iter().flat_map(|m| m.tip.r[n])).collect();
+    let row =
+        |(n, &t): (usize, &f64)| [t].into_iter().chain(models.iter().flat_map(|m| m.tip.r[n])).collect::<Vec<_>>();
     Trajectory {
         columns: ["t".to_string()].into_iter().chain(names).collect(),
         rows: times.iter().enumerate().map(row).collect(),
     }
 }
+
+/// File names of [`pictures`].
+pub const PICTURES: [&str; 3] = ["figure3.svg", "figure4.svg", "figure4-relaxed.svg"];
 
 /// The paper's Figure 3, and its Figure 4 for both starts, with the solid in place of ANSYS; with their file names.
 pub fn pictures(models: &[Model], rigid: &Tip, continuum: &Continuum) -> Result<Vec<(&'static str, String)>> {

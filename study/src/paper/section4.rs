@@ -49,6 +49,10 @@ pub fn rows(structure: &Structure) -> Vec<A4Row> {
     models.into_iter().flat_map(|model| TIMES.map(|t| row(model, t))).collect()
 }
 
+/// File names of [`pictures`].
+pub const PICTURES: [&str; 6] =
+    ["figure6.svg", "figure7.svg", "figure7-change.svg", "figure8-x.svg", "figure8-y.svg", "structure.svg"];
+
 /// Figures 6, 7 and 8, the change of Figure 7 by heat, and the structure at six instants, with their file names.
 pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
     let (flexible, heated, axis) = (&structure.fine.flexible, &structure.fine.axis_and_section, &structure.fine.axis);
@@ -168,6 +172,7 @@ pub fn curves(structure: &Structure) -> Trajectory {
     }
     let every = (2e-3 / STEP).round() as usize;
     let rows = signals.first().map_or(0, Vec::len);
-    let row = |n: usize| std::iter::once(signals[0][n].0).chain(signals.iter().map(|signal| signal[n].1)).collect();
+    let row =
+        |n: usize| std::iter::once(signals[0][n].0).chain(signals.iter().map(|signal| signal[n].1)).collect::<Vec<_>>();
     Trajectory { columns, rows: (0..rows).step_by(every).map(row).collect() }
 }
