@@ -161,7 +161,7 @@ pub enum Error {
         "element {element} of {elements} of the rod `{rod}` has collapsed at {}: it is \
          compressed to nothing, or turned inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, {}",
         instant(*time, *statics),
-        if *statics { "or the steps too long" } else { COLLAPSE_ADVICE }
+        if *statics { "which smaller ones show" } else { COLLAPSE_ADVICE }
     )]
     Collapsed {
         /// Name of the rod.
@@ -194,8 +194,8 @@ pub enum Error {
     /// The estimated error of a run exceeds a tenth of the motion.
     #[error(
         "the {place} is off by an estimated {time:.1e} m for the step and {space:.1e} m for the mesh, together more than a \
-         tenth of the motion of {moved:.1e} m, so that not even the first digit is sure; a smaller `time.step` or \
-         `time.tolerance`, more `elements`, or a `history` for sudden loads help"
+         tenth of the motion of {moved:.1e} m, so that not even the first digit is sure; shorter steps help (`time.step`, \
+         `time.tolerance` of adaptive methods, more `time.load_steps` in statics), or more `elements`, or a `history` for sudden loads"
     )]
     Inaccurate {
         /// Position or deflection with the worst error, in words.
@@ -259,7 +259,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// A quantity is infinite or not a number.
-    #[error("{quantity} is no longer finite at t = {} s, step {step}; a smaller `time.step` helps", time_text(*time))]
+    #[error("{quantity} is no longer finite at t = {} s, step {step}; shorter steps help", time_text(*time))]
     NotFinite {
         /// Name of the quantity.
         quantity: &'static str,

@@ -146,7 +146,8 @@ fn number_after(message: &str, words: &str) -> f64 {
 /// Follows the advice on a rotation: the step, as a whole part of the end.
 fn resolved(scene: &mut Scene) {
     let said = messages(scene, How::Plain).map_or_else(|error| error, |warnings| warnings.join("; "));
-    scene.time.step = scene.time.end / (scene.time.end / number_after(&said, "a `time.step` of ")).ceil();
+    let step = scene.time.end / (scene.time.end / number_after(&said, "a `time.step` of ")).ceil();
+    *scene = scene.clone().method(Method::EnergyMomentum, step);
 }
 
 fn history(scene: &mut Scene) {
@@ -213,7 +214,7 @@ fn rows() -> Vec<Row> {
             "not even the first digit is sure",
             pendulum(Method::EnergyMomentum, 0.25).until(1.0),
         )
-        .cure("a smaller `time.step`", step(5e-3)),
+        .cure("shorter steps help (`time.step`", step(5e-3)),
         row("a rod that locks", Plain, "locks", strut())
             .cure("\"poisson\": \"axis\"", |scene| scene.rods[0].poisson = Poisson::Axis)
             .cure("\"law\": \"uniaxial\"", |scene| scene.rods[0].law = Law::Uniaxial),
@@ -289,13 +290,13 @@ fn rows() -> Vec<Row> {
         .cure("a small force across", |scene| {
             scene.forces.push(Force { point: "a".into(), force: [1.0, 0.0], history: None });
         }),
-        row("a column above its Euler load", Plain, "the equilibrium", column(1.1))
+        row("a column above its Euler load", Plain, "are unstable", column(1.1))
             .cure("an `imperfection`", |scene| scene.imperfection = Some(Imperfection::of_rod("rod", 1e-3)))
             .cure("a small force across", |scene| scene.forces[0].force[1] = 1.0),
-        row("an estimate of it", Estimated, "the equilibrium found is unstable", column(1.1))
+        row("an estimate of it", Estimated, "equilibrium on the way is unstable", column(1.1))
             .cure("an `imperfection`", |scene| scene.imperfection = Some(Imperfection::of_rod("rod", 1e-3)))
             .cure("a small force across", |scene| scene.forces[0].force[1] = 1.0),
-        row("a truss that snaps through", Plain, "no equilibrium was found", truss())
+        row("a truss that snaps through", Plain, "cannot be followed beyond", truss())
             .cure("`\"path\": \"arc-length\"` in `time`", |scene| scene.time.path = LoadPath::ArcLength),
         row("a setting without effect", Plain, "which has no use for it", {
             let mut scene = pendulum(Method::EnergyMomentum, 1e-3);

@@ -100,6 +100,18 @@ fn every_column_is_estimated() {
     assert_eq!(run.accuracy.column("tip.vx").unwrap().largest, run.accuracy.column("tip.vy").unwrap().largest);
 }
 
+/// Twice the load steps are twice the rows: every second one is compared.
+#[test]
+fn columns_of_statics_are_estimated_at_their_own_rows() {
+    let mut scene = Scene::builtin("cantilever").unwrap();
+    scene.time.load_steps = 5;
+    let run = run_estimated(&scene, |_| ()).unwrap();
+    assert_eq!(run.accuracy.columns.len(), scene.columns().len() - 1);
+    for column in &run.accuracy.columns {
+        assert!(column.total().is_finite() && column.total() <= 0.1 * column.largest, "{column:?}");
+    }
+}
+
 /// Under a sudden load every halving of the step shows other accelerations; their means converge.
 #[test]
 fn what_does_not_converge_is_said_and_its_mean_does() {

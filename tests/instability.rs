@@ -163,11 +163,17 @@ fn built_in_scenes_are_not_warned_of() {
     }
 }
 
-/// A rod balanced on its pivot falls, if anything disturbs it.
+/// A rod balanced on its pivot falls, if anything disturbs it: like e^(μt), μ² = 3g/(2L). The watch bounds μ from below within a factor
+/// of 1.4. With the energy–momentum rule the sudden weight keeps the rod vibrating along its axis, which hides the growth from looks,
+/// and not from the perturbed run.
 #[test]
 fn a_balanced_rod_is_unstable() {
-    let mut scene = rod(90.0, 2).support(Support::pinned("a")).gravity([0.0, -9.81]).until(10.0);
-    scene.time.step = 5e-3;
-    assert!(warns(&scene));
-    assert!(matches!(run_estimated(&scene, |_| ()), Err(Error::UnstableMotion { .. })));
+    let rate = (1.5_f64 * 9.81).sqrt();
+    let lasting = |method: Method, folds: f64| {
+        let end = (folds / rate / 5e-3).round() * 5e-3;
+        rod(90.0, 2).support(Support::pinned("a")).gravity([0.0, -9.81]).method(method, 5e-3).until(end)
+    };
+    assert!(!warns(&lasting(Method::GeneralizedAlpha, 13.0)) && warns(&lasting(Method::GeneralizedAlpha, 21.0)));
+    let estimated = run_estimated(lasting(Method::EnergyMomentum, 30.0), |_| ());
+    assert!(matches!(estimated, Err(Error::UnstableMotion { .. })), "{estimated:?}");
 }

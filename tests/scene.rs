@@ -462,7 +462,7 @@ fn a_relaxed_start_allows_one_held_point() {
 fn an_end_is_asked_of_a_file_but_has_a_value_in_memory() {
     let message = Model::parse(&SMALLEST.replace("\"end\": 0.25", "\"step\": 0.3"), "test").unwrap_err().to_string();
     assert_eq!(message, "test:7:11: `time.end` is missing; allowed: a value here, the key is required");
-    let text = SMALLEST.replace("\"end\": 0.25", "\"method\": \"static\", \"step\": 0.3");
+    let text = SMALLEST.replace("\"end\": 0.25", "\"method\": \"static\"");
     let scene = Model::parse(&text, "test").unwrap().into_scene();
     assert_eq!((scene.time.end, scene.steps(), scene.time_after(10)), (1.0, 10, 1.0));
 }

@@ -238,6 +238,7 @@ fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Pat
             let paths = report::write_run(files, scene, &run, None, wall_seconds)?;
             Ok(print(&(report::run_text(scene, &run, wall_seconds) + &written_lines(&paths)))?)
         }
+        Err(error) if error.is_bad_input() => Err(error.into()),
         Err(error) => failed_run(files, scene, &simulation.into_run(), error, wall_seconds),
     }
 }

@@ -191,7 +191,7 @@ fn newton_that_does_not_converge_is_exit_code_1_with_time_iterations_and_residua
     let (code, message) =
         failing_run(serde_json::json!({"end": 1.0, "step": 0.01, "method": "energy-momentum"}), false);
     assert_eq!(code, Some(1), "{message}");
-    for part in ["at t = 0.", "residual", "after 30 iterations", "tolerance 1.0e-10"] {
+    for part in ["at t = 0.", "residual", "iterations (tolerance 1.0e-10)"] {
         assert!(message.contains(part), "no {part:?} in: {message}");
     }
 }

@@ -15,7 +15,21 @@ pub struct Setting {
     pub copy: fn(&mut Time, &Time),
 }
 
-pub const SETTINGS: [Setting; 4] = [
+pub const SETTINGS: [Setting; 6] = [
+    Setting {
+        key: "time.path",
+        is_used: |method| method == Method::Static,
+        users: "only \"static\" follows one",
+        value: |time| format!("\"{}\"", time.path),
+        copy: |time, other| time.path = other.path,
+    },
+    Setting {
+        key: "time.step",
+        is_used: |method| method != Method::Static,
+        users: "methods that move in time have a step, statics has `time.load_steps`",
+        value: |time| format!("{:?}", time.step),
+        copy: |time, other| time.step = other.step,
+    },
     Setting {
         key: "time.rho_inf",
         is_used: |method| method == Method::GeneralizedAlpha,

@@ -25,8 +25,8 @@ pub struct Time {
     /// End time, s; a whole number of steps. In statics the load factor 1, which a file may leave out.
     #[serde(default = "default_end")]
     pub end: f64,
-    /// Step, s; the longest step of adaptive methods.
-    #[serde(default = "default_step")]
+    /// Step, s; the longest step of adaptive methods. Refused in statics.
+    #[serde(default = "default_step", skip_serializing_if = "is_default_step")]
     pub step: f64,
     /// Time-stepping method.
     #[serde(default)]
@@ -116,8 +116,8 @@ pub struct Output {
     /// Interval between rows, s, a whole number of steps; `None`: one row each step.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub interval: Option<f64>,
-    /// Whether energies are computed and recorded.
-    #[serde(default = "default_energy")]
+    /// Whether energies are computed and recorded. Refused in statics.
+    #[serde(default = "default_energy", skip_serializing_if = "is_default_energy")]
     pub energy: bool,
 }
 
@@ -125,10 +125,18 @@ fn default_energy() -> bool {
     true
 }
 
+fn is_default_energy(value: &bool) -> bool {
+    *value == default_energy()
+}
+
 impl Default for Output {
     fn default() -> Self {
         Output { interval: None, energy: default_energy() }
     }
+}
+
+fn is_default_step(value: &f64) -> bool {
+    *value == default_step()
 }
 
 fn is_default_rho_inf(value: &f64) -> bool {

@@ -29,6 +29,9 @@ pub enum Convergence {
     None,
 }
 
+/// Decimal digits of an f64.
+const MOST_DIGITS: usize = 15;
+
 /// Estimated error of a column of the trajectory, over all rows; in the column's unit.
 ///
 /// ```
@@ -61,9 +64,12 @@ impl ColumnAccuracy {
 
     /// Number of decimal digits of a value that are sure: those before its error.
     pub fn sure_digits(&self, value: f64) -> usize {
+        if self.total() == 0.0 {
+            return MOST_DIGITS;
+        }
         let digits = (value.abs() / self.total()).log10().floor();
         // Not more than an f64 has; a NaN has none.
-        if digits > 0.0 { digits.min(15.0) as usize } else { 0 }
+        if digits > 0.0 { (digits as usize).min(MOST_DIGITS) } else { 0 }
     }
 }
 

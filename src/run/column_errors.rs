@@ -11,18 +11,23 @@ const NOT_CONVERGING: f64 = 0.7;
 /// √½ with each halving, so that the error is 1/(1 − √½) changes.
 const SAFETY_BEHIND_WAVES: f64 = 3.4;
 
-/// Largest change of each column but the time between two runs with the same rows. NaN if a value is, or if the rows
-/// differ.
-pub(super) fn changes(a: &Trajectory, b: &Trajectory) -> Vec<f64> {
-    let mut largest = vec![0.0; a.columns.len().saturating_sub(1)];
-    for (a, b) in a.rows.iter().zip(&b.rows) {
+/// Largest change of each column but the time between a run and a finer one, which may have several rows for each of
+/// its own: more load steps. NaN if a value is, or if the rows do not match.
+pub(super) fn changes(own: &Trajectory, finer: &Trajectory) -> Vec<f64> {
+    let mut largest = vec![0.0; own.columns.len().saturating_sub(1)];
+    let [steps, finer_steps] = [own, finer].map(|run| run.rows.len().saturating_sub(1));
+    let every = finer_steps.checked_div(steps).unwrap_or(1).max(1);
+    if steps * every != finer_steps {
+        largest.fill(f64::NAN);
+    }
+    for (a, b) in own.rows.iter().zip(finer.rows.iter().step_by(every)) {
         for (largest, (a, b)) in largest.iter_mut().zip(a.iter().zip(b).skip(1)) {
             let change = (a - b).abs();
             // In the total order NaN is the largest, and is not lost.
             *largest = if change.total_cmp(largest).is_gt() { change } else { *largest };
         }
     }
-    if a.rows.len() == b.rows.len() { largest } else { vec![f64::NAN; largest.len()] }
+    largest
 }
 
 /// Errors of all columns, if the run's own trajectory changes by these values in time and in space.
@@ -35,7 +40,7 @@ pub(super) fn column_errors(own: &Trajectory, in_time: &[f64], in_space: &[f64])
             time: safety * time,
             space: safety * space,
             largest: largest(own, group(column)),
-            convergence: Convergence::Sure,
+            convergence: if (time + space).is_finite() { Convergence::Sure } else { Convergence::Unsure },
         }
     });
     errors.collect()

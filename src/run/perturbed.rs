@@ -48,8 +48,8 @@ pub(super) fn amplification(
         .and_then(|mut run| observer.run_with_progress(&mut run, |_| ()))
         .map_err(|error| Error::NoEstimate { what, reason: error.to_string() })?;
     let distances = observer.distances(seen, &seen_of_it, |_| true);
-    let amplification =
-        distances.iter().copied().fold(0.0, |most, distance| if distance <= most { most } else { distance }) / size;
+    // In the total order NaN is the largest, and is not lost.
+    let amplification = distances.iter().copied().max_by(f64::total_cmp).unwrap_or(0.0) / size;
     if amplification <= STABLE {
         return Ok(amplification);
     }

@@ -1,11 +1,11 @@
-//! Watches how far rods turn in a step: methods of second order lag behind a rotation by θ³/12 a step, or run ahead.
+//! Watches how far rods turn in a step θ: the energy–momentum rule lags behind by θ³/12 a step, others by more.
 
 use crate::error::Error;
 use crate::integrators::State;
-use crate::model::Scene;
+use crate::model::{Method, Scene};
 use crate::structure::Structure;
 
-/// Rotation of a rod in one step that is warned of, rad: after 600 such steps a rod is off by 0.05 rad.
+/// Rotation of a rod in one step that is warned of, rad.
 const WARNED: f64 = 0.1;
 
 /// Error of the angle at the end that the advised step allows, rad.
@@ -40,8 +40,8 @@ impl RotationWatch {
         let (turn, t, rod) = &self.largest;
         let cure = self.cure()?;
         Some(format!(
-            "the rod `{rod}` turns by {turn:.2} rad in a step, at t = {t:.3e} s: what turns so far lags behind or runs ahead, by \
-             a good part of a turn after some steps, with all energies kept; {cure}"
+            "the rod `{rod}` turns by {turn:.2} rad in a step, at t = {t:.3e} s: its angle lags behind or runs ahead, the more the \
+             longer it turns; {cure}"
         ))
     }
 
@@ -56,11 +56,13 @@ impl RotationWatch {
         }
     }
 
-    /// Step that resolves the fastest rotation ω to the end T, ωT (ωΔt)²/12; `None` if all are resolved.
+    /// Method and step that resolve the fastest rotation ω to the end T; `None` if all are resolved. The energy–momentum
+    /// rule is off by ωT (ωΔt)²/12.
     fn cure(&self) -> Option<String> {
         let (turn, ..) = self.largest;
         let rate = turn / self.step.filter(|_| turn > WARNED)?;
-        let step = (12.0 * ALLOWED / (rate * self.end)).sqrt() / rate;
-        Some(format!("a `time.step` of {step:.1e} s keeps the angle at the end within {ALLOWED} rad"))
+        let step = (12.0 * ALLOWED / (rate * self.end)).sqrt().min(WARNED) / rate;
+        let method = Method::EnergyMomentum;
+        Some(format!("\"{method}\" with a `time.step` of {step:.1e} s keeps the angle at the end within {ALLOWED} rad"))
     }
 }

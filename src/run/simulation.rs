@@ -323,11 +323,14 @@ impl Simulation {
         Ok(Run { trajectory, counts, warnings, unstable_directions, accuracy: Accuracy::default() })
     }
 
-    /// What there is of the run until now, without its warnings; of a run that failed the rows until then.
+    /// What there is of the run until now; of a run that failed the rows until then.
     pub fn into_run(mut self) -> Run {
         let trajectory = self.recorder.take_trajectory();
         let (counts, accuracy) = (self.counts, Accuracy::default());
-        Run { trajectory, counts, warnings: Vec::new(), unstable_directions: 0, accuracy }
+        let mut warnings = warnings(self.model.scene());
+        warnings.extend(self.rotation.warning());
+        warnings.extend(self.growth.as_ref().and_then(GrowthWatch::warning));
+        Run { trajectory, counts, warnings, unstable_directions: 0, accuracy }
     }
 
     /// Takes rows back that [`finish`](Simulation::finish) handed over.
@@ -556,8 +559,8 @@ impl Simulation {
 fn short_path(state: &State) -> String {
     let State { step, load, .. } = state;
     format!(
-        "the path ends after {step} rows at {} of the load, before it reaches the whole; more `time.load_steps` allow \
-         more rows",
+        "the path ends after {step} rows at {} of the load, before it reaches the whole, or turns away from it; its \
+         rows are those of the path so far",
         time_text(*load)
     )
 }

@@ -39,7 +39,8 @@ impl StabilityCounter {
     }
 
     /// Number of independent directions in which the equilibrium at the load factor `load` is unstable: negative
-    /// eigenvalues of the tangent, and those that are zero but for rounding. `None` where numbers have left their range.
+    /// eigenvalues of the tangent; where elimination meets a pivot of exactly zero, the larger count of two tangents
+    /// shifted to either side. `None` where numbers have left their range.
     pub fn unstable_directions(&mut self, structure: &Structure, u: &DVector<f64>, load: f64) -> Option<usize> {
         let StabilityCounter { tangent, thermal, memory, shift } = self;
         structure.thermal_strains_into(load, thermal);

@@ -82,7 +82,7 @@ fn frequencies_fall_to_those_of_the_theory_with_order_four() {
         let errors = [8, 16, 32].map(|elements| {
             let mut scene = rod(kind, &reference, elements);
             scene.material.rho = reference.parameter("rho");
-            scene.time.method = Method::EnergyMomentum;
+            scene = scene.method(Method::EnergyMomentum, 1e-3);
             // The scene's probe of a reaction needs its support.
             (scene.supports, scene.probes) = (supports.clone(), Vec::new());
             let found = frequencies(&scene, rigid);

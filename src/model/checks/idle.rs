@@ -6,12 +6,6 @@ use crate::model::method_settings::{SETTINGS, Setting};
 use crate::model::scene::Scene;
 use crate::model::time::Time;
 
-/// Keys that statics has no use for; a scene from code has them at any value.
-const IDLE_IN_STATICS: [(&str, &str); 2] = [
-    ("time.step", "methods that move in time have a step, statics has `time.load_steps`"),
-    ("output.energy", "in statics slowly growing loads supply exactly the stored energy"),
-];
-
 /// Refuses settings that the method ignores: those other than their default, and those that `is_given` finds in a file.
 pub fn check_idle(scene: &Scene, is_given: impl Fn(&str) -> bool) -> Check {
     let (method, default) = (scene.time.method, Time::until(scene.time.end));
@@ -21,8 +15,12 @@ pub fn check_idle(scene: &Scene, is_given: impl Fn(&str) -> bool) -> Check {
             return idle(key, own, method, users);
         }
     }
-    let of_statics = IDLE_IN_STATICS.iter().find(|(key, _)| method == Method::Static && is_given(key));
-    of_statics.map_or(Ok(()), |(key, users)| idle(key, "given".into(), method, users))
+    let key = "output.energy";
+    if method == Method::Static && (!scene.output.energy || is_given(key)) {
+        let users = "in statics slowly growing loads supply exactly the stored energy";
+        return idle(key, scene.output.energy.to_string(), method, users);
+    }
+    Ok(())
 }
 
 fn idle(key: &str, value: String, method: Method, users: &str) -> Check {

@@ -33,6 +33,9 @@ pub(in crate::model) fn check_probes(scene: &Scene) -> Check {
     unique("probes", "name", scene.probes.iter().map(|probe| probe.name.as_str()))
 }
 
+/// Most steps of a window of means: 24 MB for each quantity.
+const MOST_STEPS_OF_A_WINDOW: usize = 1_000_000;
+
 /// Checks the window of means: a time that the run has, and with fixed steps a whole number of them.
 fn check_window(scene: &Scene, key: impl Display, window: f64) -> Check {
     let Time { end, step, method, .. } = scene.time;
@@ -40,6 +43,8 @@ fn check_window(scene: &Scene, key: impl Display, window: f64) -> Check {
     require(method != Method::Static, &key, format_args!("{window:?}"), allowed)?;
     let allowed = format_args!("a number over 0 and up to the end of {end:?} s");
     require(0.0 < window && window <= end, &key, format_args!("{window:?}"), allowed)?;
+    let allowed = format_args!("at most {MOST_STEPS_OF_A_WINDOW} steps of {step:?} s: all of its values are kept");
+    require(window <= step * MOST_STEPS_OF_A_WINDOW as f64, &key, format_args!("{window:?}"), allowed)?;
     let allowed = format_args!("a whole number of steps of {step:?} s");
     require(method.is_adaptive() || is_whole(window / step), &key, format_args!("{window:?}"), allowed)
 }

@@ -49,7 +49,11 @@ fn check_history(key: impl Display, history: &[[f64; 2]], path: LoadPath) -> Che
     let start = interpolate(history, 0.0).unwrap_or(0.0);
     let allowed = "0 at the load factor 0: with the method \"static\" a history is one of pairs [load factor, value], and the \
                    structure starts without load; without `history` a force grows to its full size";
-    require(start == 0.0, key, format_args!("{start:?} at the load factor 0"), allowed)
+    require(start == 0.0, format_args!("{key}"), format_args!("{start:?} at the load factor 0"), allowed)?;
+    let last = history.last().map_or(0.0, |[factor, _]| *factor);
+    let allowed =
+        "pairs up to the load factor 1: with the method \"static\" a history is one of pairs [load factor, value]";
+    require(last <= 1.0, format_args!("{key}[{}][0]", history.len() - 1), format_args!("{last:?}"), allowed)
 }
 
 fn check_temperature(key: impl Display, temperature: &Temperature, path: LoadPath) -> Check {

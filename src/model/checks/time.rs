@@ -1,7 +1,7 @@
 //! Checks of time and output: whole numbers of steps, and no more than a computer can handle.
 
 use crate::model::check::{Check, positive, require};
-use crate::model::choice::{LoadPath, Method};
+use crate::model::choice::Method;
 use crate::model::scene::Scene;
 use crate::model::time::{MOST_STEPS, Time};
 
@@ -17,7 +17,7 @@ const WHOLE_TOLERANCE: (f64, f64) = (1e-9, 1e-3);
 
 /// Checks the steps and the methods' parameters.
 pub(in crate::model) fn check_time(scene: &Scene) -> Check {
-    let &Time { end, step, method, rho_inf, newton_tolerance, tolerance, load_steps, path } = &scene.time;
+    let &Time { end, step, method, rho_inf, newton_tolerance, tolerance, load_steps, .. } = &scene.time;
     positive("time.end", end)?;
     positive("time.step", step)?;
     if method == Method::Static {
@@ -34,9 +34,6 @@ pub(in crate::model) fn check_time(scene: &Scene) -> Check {
         }
         positive("time.tolerance", tolerance)?;
     }
-    let path_holds = path == LoadPath::default() || method == Method::Static;
-    let allowed = format_args!("no path with the method \"{method}\": only \"static\" follows one");
-    require(path_holds, "time.path", format_args!("\"{path}\""), allowed)?;
     let rho_holds = (0.0..=1.0).contains(&rho_inf);
     require(rho_holds, "time.rho_inf", format_args!("{rho_inf:?}"), "a number from 0 to 1, both included")?;
     let tolerance_holds = newton_tolerance > 0.0 && newton_tolerance <= 1e-2;

@@ -4,7 +4,9 @@
 pub(super) fn stamped(name: &str, text: &str, run: &str) -> String {
     let comment = format!("<!-- run {run} -->\n");
     let (kind, head) = match name.rsplit('.').next() {
-        Some("json") => (format!("\n  \"run\": \"{run}\","), text.starts_with("{\n").then_some(1)),
+        // The JSON files of this project are objects with keys, a key a line.
+        Some("json") if text.starts_with("{\n") => (format!("\n  \"run\": \"{run}\","), Some(1)),
+        Some("json") => (String::new(), None),
         // A comment before the document type would send old browsers into another mode.
         Some("html") => (comment, text.find('\n').map(|end| end + 1)),
         _ => (comment, Some(0)),
