@@ -159,9 +159,9 @@ pub enum Error {
     /// An element has collapsed or turned inside out (det J ≤ 0).
     #[error(
         "element {element} of {elements} of the rod `{rod}` has collapsed at {}: it is \
-         compressed to nothing, or turned inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it, {}",
+         compressed to nothing, or turned inside out, at a quadrature point (det J ≤ 0); the loads or the heat are too large for it{}",
         instant(*time, *statics),
-        if *statics { "which smaller ones show" } else { COLLAPSE_ADVICE }
+        if *statics { "" } else { COLLAPSE_ADVICE }
     )]
     Collapsed {
         /// Name of the rod.
@@ -347,7 +347,7 @@ fn instant(time: f64, statics: bool) -> String {
 
 /// Advice for a collapse in motion. A sudden load may collapse an element within one step, where shorter steps would
 /// not.
-const COLLAPSE_ADVICE: &str = "or come too suddenly for the step: a `history` that lets them grow helps, or a smaller `time.step`, or \
+const COLLAPSE_ADVICE: &str = ", or come too suddenly for the step: a `history` that lets them grow helps, or a smaller `time.step`, or \
      `time.tolerance` for adaptive methods";
 
 /// Advice for an iteration that does not converge.
@@ -411,6 +411,6 @@ mod tests {
             ["suddenly", "`history`", "`time.step`", "`time.tolerance`"].iter().all(|part| motion.contains(part)),
             "{motion}"
         );
-        assert!(message(true).ends_with("or the steps too long"), "{}", message(true));
+        assert!(message(true).ends_with("too large for it"), "{}", message(true));
     }
 }

@@ -84,12 +84,13 @@ fn scene(name: &str, method: Method, element: Element, recorded: Recorded) -> Sc
     scene.time.method = method;
     scene.rods.iter_mut().for_each(|rod| rod.element = element);
     scene.time.step = match name {
+        _ if method == Method::Static => scene.time.step,
         // Below the limits of the explicit methods.
         "scissors-3-thermal" if method.is_explicit() => 1e-6,
         "scissors-3-thermal" => 2.5e-4,
         _ => 1e-5,
     };
-    scene.output.energy = recorded == Recorded::All;
+    scene.output.energy = recorded == Recorded::All || method == Method::Static;
     scene.probes.retain_mut(|probe| {
         if recorded == Recorded::Little {
             probe.of.retain(|quantity| *quantity == Quantity::Position);

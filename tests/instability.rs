@@ -112,6 +112,45 @@ fn a_heated_rod_is_refused_in_every_direction() {
     }
 }
 
+/// A clamped column pressed by 1.2 times its Euler load, and a flat toggle pressed from both ends: perfect ones stay as they are, and are
+/// refused in every direction, by every method.
+#[cfg(not(debug_assertions))]
+#[test]
+fn perfect_columns_and_toggles_are_refused_in_motion() {
+    use ancf::model::{Direction, Force};
+    let critical = 7e10 * 0.02_f64.powi(4) / 12.0 * (0.5 * std::f64::consts::PI).powi(2);
+    for angle in ANGLES {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let history = Some(vec![[0.0, 0.0], [0.3, 1.0]]);
+        let press = |point: &str, force: f64| Force {
+            point: point.into(),
+            force: [-force * cos, -force * sin],
+            history: history.clone(),
+        };
+        let clamp = Support { clamp: Some("rod".into()), ..Support::pinned("a") };
+        let mut column = rod(angle, 4).support(clamp);
+        column.forces.push(press("b", 1.2 * critical));
+        let mut toggle =
+            rod(angle, 4).point("c", [2.0 * cos, 2.0 * sin]).rod(Rod::new("next", "b", "c").elements(Element::Ancf, 4));
+        toggle.supports = vec![
+            Support::pinned("a"),
+            Support { point: "c".into(), fix: Vec::<Direction>::new(), slide: Some([cos, sin]), clamp: None },
+        ];
+        toggle.forces.push(press("c", 100.0));
+        for (name, scene) in [("column", column), ("toggle", toggle)] {
+            for (method, step) in METHODS {
+                let mut scene = scene.clone().method(method, step).until(1.5);
+                scene.output.interval = Some(0.02);
+                match run_estimated(&scene, |_| ()) {
+                    Err(Error::UnstableMotion { .. }) => (),
+                    Err(error) => println!("{name} at {angle}°, {method}: {error}"),
+                    Ok(run) => panic!("{name} at {angle}°, {method} is certified: {:?}", run.accuracy),
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn below_its_temperature_it_is_stable_in_every_direction() {
     for (angle, (method, step)) in [45.0, 0.0].into_iter().zip(METHODS) {

@@ -494,9 +494,9 @@ fn the_readme_shows_a_scene_that_runs() {
     let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
     let text = readme.split("```json").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     let mut scene = Model::parse(text, "README.md").unwrap().into_scene();
-    scene.time.end = 0.02;
+    scene.time.end = 0.06;
     let run = ancf::run::run(&scene).unwrap();
-    assert_eq!(run.trajectory.rows.len(), 3);
+    assert_eq!(run.trajectory.rows.len(), 7);
     assert!(run.trajectory.column("bend.w").is_some() && run.trajectory.column("pin.rx").is_some());
 }
 

@@ -487,7 +487,8 @@ fn a_square_without_a_diagonal_is_refused() {
 fn long_structures_that_drift_are_refused() {
     for (count, angle) in [(70, 1.0), (100, 89.9), (1000, 80.0)] {
         let mut scene = Scissors { angle, elements: 1, ..Scissors::new(count) }.scene().unwrap();
-        (scene.time.method, scene.time.end, scene.output.interval) = (Method::Static, 1.0, None);
+        scene = scene.method(Method::Static, 1e-3).until(1.0);
+        scene.output.interval = None;
         scene.probes.clear();
         let built = |scene: &Scene| Structure::new(scene).map(|structure| structure.size());
         assert!(matches!(built(&scene), Err(Error::Drifts { .. })), "{count} at {angle}: a mechanism is not found");

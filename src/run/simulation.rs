@@ -559,8 +559,8 @@ impl Simulation {
 fn short_path(state: &State) -> String {
     let State { step, load, .. } = state;
     format!(
-        "the path ends after {step} rows at {} of the load, before it reaches the whole, or turns away from it; its \
-         rows are those of the path so far",
+        "the path ends after {step} rows at {} of the load, before it reaches the whole; more `time.load_steps` allow \
+         more rows, unless the path turns away from the whole load",
         time_text(*load)
     )
 }

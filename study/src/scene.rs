@@ -51,7 +51,7 @@ pub trait Change {
     /// Solved by this method with this step to this time, s.
     fn solved(self, method: Method, step: f64, end: f64) -> Self;
 
-    /// Newton's iteration to this tolerance, relative to the largest force.
+    /// Newton's iteration, where the method has one, to this tolerance relative to the largest force.
     fn newton(self, tolerance: f64) -> Self;
 
     /// A row every so many seconds.
@@ -69,7 +69,9 @@ impl Change for Scene {
     }
 
     fn newton(mut self, tolerance: f64) -> Scene {
-        self.time.newton_tolerance = tolerance;
+        if !self.time.method.is_explicit() {
+            self.time.newton_tolerance = tolerance;
+        }
         self
     }
 

@@ -81,9 +81,7 @@ impl Setup {
         let mut scene = benchmark.built_in()?.meshed(element, elements);
         let step = scene.time.step;
         scene = scene.method(technique.method, step);
-        if !technique.explicit {
-            scene.time.newton_tolerance = technique.newton_tolerance;
-        }
+        scene = scene.newton(technique.newton_tolerance);
         scene.time.tolerance = resolution.tolerance().unwrap_or(scene.time.tolerance);
         match resolution {
             Resolution::LoadSteps(count) => scene.time.load_steps = count,

@@ -79,10 +79,7 @@ fn measure(mut setup: Setup, at_limit: bool) -> Result<Finding> {
         setup.resolution = setup.first_resolution()?;
     }
     // The study's tolerances are the economical ones; here only the errors of step and mesh count.
-    let mut scene = setup.scene(Record::Position)?;
-    if !scene.time.method.is_explicit() {
-        scene.time.newton_tolerance = 1e-10;
-    }
+    let scene = setup.scene(Record::Position)?.newton(1e-10);
     let own = run_estimated(&scene, |_| ())?;
     let reference = Reference::embedded(setup.benchmark, setup.element)?;
     let uncertainty = reference.converged.uncertainty;
