@@ -15,6 +15,9 @@ enum How {
     Estimated,
 }
 
+/// Change of a scene that follows advice.
+type Change = Box<dyn Fn(&mut Scene)>;
+
 struct Row {
     name: &'static str,
     scene: Scene,
@@ -22,7 +25,7 @@ struct Row {
     /// Part of the error or of the warning that tells what is wrong.
     says: &'static str,
     /// Parts of the message that give advice, each with what follows it.
-    cures: Vec<(&'static str, Box<dyn Fn(&mut Scene)>)>,
+    cures: Vec<(&'static str, Change)>,
 }
 
 fn row(name: &'static str, how: How, says: &'static str, scene: Scene) -> Row {

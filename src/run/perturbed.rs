@@ -69,8 +69,12 @@ pub(super) fn amplification(
         .zip(moved)
         .enumerate()
         .map(|(n, (column, moved))| (column.column.clone(), moved, column.total().max(at_start(n))));
-    // A NaN is not within an error.
-    let worst = of_observed.chain(of_columns).filter(|(_, moved, error)| !(moved <= error));
+    let exceeds = |(_, moved, error): &(String, f64, f64)| {
+        let within = moved <= error;
+        // A NaN is not within an error.
+        !within
+    };
+    let worst = of_observed.chain(of_columns).filter(exceeds);
     match worst.max_by(|(_, a, error_a), (_, b, error_b)| (a / error_a).total_cmp(&(b / error_b))) {
         Some((place, moved, error)) => {
             Err(Error::UnstableMotion { deviation: size, amplification, place, moved, error })
