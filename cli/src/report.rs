@@ -17,7 +17,7 @@ use crate::summary::write_summary;
 /// Table of a run, and of one that failed.
 const TABLES: [&str; 2] = ["trajectory.csv", "trajectory.partial.csv"];
 
-/// Files that a run may write: of [`TABLES`] it writes one, and the other is removed with the earlier run's files.
+/// Files that a run may write: of the two tables it writes one, and the other is removed with the earlier run's files.
 pub const FILES: [&str; 3] = [TABLES[0], TABLES[1], "summary.json"];
 
 /// Writes the table and `summary.json` of a run, and returns their paths; `error` ended the run.

@@ -2,7 +2,7 @@
 //!
 //! Nothing in the folder changes before the whole set is on the disk. Then one rename of a hidden folder decides: before it the earlier set
 //! stands untouched, after it the new set is complete. A process that is killed while the files get their names leaves the rest in that
-//! folder, and the next run into the same folder completes the set first ([`folder`]). Two runs into one folder take turns; the last one
+//! folder, and the next run into the same folder completes the set first (`folder`). Two runs into one folder take turns; the last one
 //! stands whole.
 //!
 //! **Run id.** The first 16 hexadecimal digits of the SHA-256 of the run's tables (CSV), one after another in the order written:
