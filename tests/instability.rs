@@ -38,12 +38,8 @@ fn warns(scene: &Scene) -> bool {
 /// Directions of the rod, degrees; in debug tests two of them.
 const ANGLES: [f64; 12] = [0.0, 17.0, 30.0, 45.0, 60.0, 90.0, 108.0, 135.0, 180.0, 222.0, 270.0, 311.0];
 
-const METHODS: [(Method, f64); 4] = [
-    (Method::EnergyMomentum, 1e-3),
-    (Method::GeneralizedAlpha, 1e-3),
-    (Method::GaussAdaptive, 1e-2),
-    (Method::Explicit, 1e-5),
-];
+const METHODS: [(Method, f64); 3] =
+    [(Method::EnergyMomentum, 1e-3), (Method::GeneralizedAlpha, 1e-3), (Method::GaussAdaptive, 1e-2)];
 
 /// Growth rate of a bow of one half wave: μ² = (π/L)² (N − N_cr)/(ρA) between pins, at the thrust N of a heated slender rod. The
 /// count jumps there. ρI of the turning sections slows it by (πh/L)²/24 or so, shear lowers N_cr by as little.
@@ -138,8 +134,12 @@ fn perfect_columns_and_toggles_are_refused_in_motion() {
         ];
         toggle.forces.push(press("c", 100.0));
         for (name, scene) in [("column", column), ("toggle", toggle)] {
-            for (method, step) in METHODS {
-                let mut scene = scene.clone().method(method, step).until(1.5);
+            // The paper's element vibrates too fast for many explicit steps.
+            let mut slender = scene.clone();
+            slender.rods.iter_mut().for_each(|rod| rod.element = Element::EulerBernoulli);
+            let implicit = METHODS.map(|(method, step)| (scene.clone(), method, step));
+            for (scene, method, step) in implicit.into_iter().chain([(slender, Method::Explicit, 1e-5)]) {
+                let mut scene = scene.method(method, step).until(1.5);
                 scene.output.interval = Some(0.02);
                 match run_estimated(&scene, |_| ()) {
                     Err(Error::UnstableMotion { .. }) => (),

@@ -360,7 +360,7 @@ fn random_scenes_neither_panic_nor_give_what_is_no_number() {
 /// nothing where a long one is not. These are counted by their errors, and few.
 #[test]
 fn estimates_of_random_scenes_hold() {
-    let (wanted, number) = if cfg!(debug_assertions) { (8, 100) } else { (200, 4000) };
+    let (wanted, number) = if cfg!(debug_assertions) { (8, 100) } else { (500, 10_000) };
     let (mut compared, mut stable, mut refused, mut no_finer) = (0, 0, Failures::new(), Failures::new());
     for (scene, _) in random(number, 2) {
         if compared == wanted {

@@ -123,8 +123,7 @@ impl Plan {
                 true,
                 match scene.time.method {
                     Method::Static => "each row is judged by the eigenvalues of its tangent",
-                    _ if explicit => "one every 500 steps tells whether small deviations grow",
-                    _ => "one every 64 steps tells whether small deviations grow",
+                    _ => "one every 8 to 500 steps, by the method's cost, tells whether small deviations grow",
                 },
             ),
             part(

@@ -14,16 +14,24 @@
 
 use crate::elements::ThermalStrain;
 use crate::integrators::State;
-use crate::model::Scene;
+use crate::model::{Method, Scene};
 use crate::structure::{Factors, Structure};
 
 /// Growth that makes a motion unstable: an unavoidable deviation becomes visible.
 const FACTOR: f64 = 1e6;
 
-/// Steps between looks while nothing grows. A look costs a tangent and its elimination: as much as one step of
-/// generalized-α, or six explicit ones.
-const IMPLICIT_STEPS: usize = 64;
-const EXPLICIT_STEPS: usize = 500;
+/// Steps between looks while nothing grows. A look costs a tangent and its elimination: as much as six explicit steps, one
+/// of generalized-α, a third of one of the energy–momentum rule, an eighth of one of Gauss collocation.
+fn steps_between_looks(method: Method) -> usize {
+    match method {
+        Method::Explicit => 500,
+        Method::Nystrom | Method::NystromAdaptive => 200,
+        Method::EnergyMomentum => 32,
+        Method::Gauss => 16,
+        Method::GaussAdaptive => 8,
+        _ => 64,
+    }
+}
 
 /// Growth, in e-folds, between two looks of a chain: a rod that vibrates along its axis would have to be compressed at
 /// some twenty looks in a row.
@@ -69,7 +77,7 @@ struct Growth {
 impl GrowthWatch {
     /// Watch of a scene's motion, after a look at its start.
     pub fn new(structure: &Structure, scene: &Scene, state: &State) -> GrowthWatch {
-        let every = if scene.time.method.is_explicit() { EXPLICIT_STEPS } else { IMPLICIT_STEPS };
+        let every = steps_between_looks(scene.time.method);
         let mut watch = GrowthWatch {
             end: scene.time.end,
             every,
