@@ -108,7 +108,10 @@ fn sure(column: &ColumnAccuracy, value: f64, unit: &str) -> String {
         (Convergence::None, _) => {
             format!(" does not converge: finer runs change it by {:.0e} {unit} and no less", column.total())
         }
-        (Convergence::Sure, digits @ 1..) => format!(" ± {:.1e}, {digits} sure digits", column.total()),
+        (Convergence::Sure, digits @ 1..) => {
+            let plural = if digits == 1 { "" } else { "s" };
+            format!(" ± {:.1e}, {digits} sure digit{plural}", column.total())
+        }
         _ => format!(" ± {:.1e}, no sure digit", column.total()),
     }
 }
