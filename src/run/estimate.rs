@@ -251,7 +251,7 @@ fn subdivisions(scene: &Scene) -> Result<usize> {
     (2..=MOST_PARTS).find(sees_all).ok_or_else(|| {
         let short = unresolved_load(scene, step / MOST_PARTS as f64).map_or(String::new(), |short| {
             format!(
-                "{} rises and falls within less than that, in as little as {:.1e} s; a smaller `time.step` helps, or an \
+                "{} rises and falls, or begins with the end, within less than that, in as little as {:.1e} s; a smaller `time.step` helps, or an \
                  adaptive method",
                 short.what, short.length
             )

@@ -4,7 +4,8 @@
 //! afterwards by its effect, but a second short stretch next to it may undo it before the step ends. Fixed-step methods
 //! then miss a pulse altogether, and take a fast wave for a constant load. They also may if stretches are as long as a
 //! step and turn within steps: a wave half a step out of phase is zero at each end. Adaptive methods end a step at each
-//! corner, unless corners are closer than rounding of times.
+//! corner, unless corners are closer than rounding of times. A change that begins within the last step is missed
+//! likewise: the end takes the place of the second stretch.
 
 use crate::integrators::same_time;
 use crate::model::{Method, Scene, Start, interpolate, times_of};
@@ -46,13 +47,22 @@ pub fn unresolved_load(scene: &Scene, step: f64) -> Option<UnresolvedLoad> {
         ))
     });
     let short = forces.chain(heats).filter_map(|(what, history, relaxed)| {
-        let turns = turning_times(history, scene.time.end, relaxed);
+        let mut turns = turning_times(history, scene.time.end, relaxed);
+        if begins_last(history, &turns) {
+            turns.push(scene.time.end);
+        }
         let pairs = turns.windows(3).filter(|turns| is_missed(turns, step));
         // The jump at the start has no length.
         let length = pairs.flat_map(lengths).filter(|length| *length > 0.0).reduce(f64::min)?;
         Some(UnresolvedLoad { what, length })
     });
     short.min_by(|a, b| a.length.total_cmp(&b.length))
+}
+
+/// Whether the last stretch before the end is a change: within the last step nothing of its effect would show.
+fn begins_last(history: &[[f64; 2]], turns: &[f64]) -> bool {
+    let value = |t: &f64| interpolate(history, *t).unwrap_or(0.0);
+    turns.len() > 2 && turns.windows(2).next_back().is_some_and(|ends| value(&ends[0]) != value(&ends[1]))
 }
 
 /// Whether two adjacent stretches, between these times, come and go unseen.
@@ -87,7 +97,19 @@ fn turning_times(history: &[[f64; 2]], end: f64, relaxed: bool) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{is_missed, lengths, turning_times};
+    use super::{begins_last, is_missed, lengths, turning_times};
+
+    #[test]
+    fn a_load_that_begins_with_the_end_is_missed() {
+        let begins = |history: &[[f64; 2]]| begins_last(history, &turning_times(history, 1.0, false));
+        assert!(begins(&[[0.9, 0.0], [1.1, 1.0]]) && begins(&[[0.0, 0.0], [0.9, 0.0], [1.0, 1.0]]));
+        // One that grows all the time, one that has come to rest, one after the end.
+        assert!(
+            !begins(&[[0.0, 0.0], [1.0, 1.0]])
+                && !begins(&[[0.8, 0.0], [0.9, 1.0]])
+                && !begins(&[[1.0, 0.0], [2.0, 1.0]])
+        );
+    }
 
     #[test]
     fn histories_are_cut_where_they_turn() {

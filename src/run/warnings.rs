@@ -30,12 +30,12 @@ fn unresolved_load_warning(scene: &Scene) -> Option<String> {
     let (what, length) = (short.what, short.length);
     Some(if scene.time.method.is_adaptive() {
         format!(
-            "{what} rises and falls within the rounding of times, in as little as {length:.1e} s: steps may skip it; stretch it over a \
+            "{what} rises and falls, or begins with the end, within the rounding of times, in as little as {length:.1e} s: steps may skip it; stretch it over a \
              longer time, with smaller values"
         )
     } else {
         format!(
-            "{what} rises and falls within no more than the step of {step:e} s, in as little as {length:.1e} s: steps may miss it \
+            "{what} rises and falls, or begins with the end, within no more than the step of {step:e} s, in as little as {length:.1e} s: steps may miss it \
              altogether, or take it for another load; a smaller step, or an adaptive method, resolves it"
         )
     })
