@@ -7,8 +7,8 @@
 //!
 //! Compared are the positions of all points, and deflections of probes and of rods between supported points, whether a
 //! probe asks for them or not; and at the rows every column: velocities, accelerations, reactions, energies. Where no
-//! digit of a column is sure, one more run halves the step or doubles the elements' length, and shows whether the
-//! column converges at all. Neither a conserved energy nor the sum of an adaptive method's local errors says as much.
+//! digit of a column is sure, one more run doubles the step or the elements' length, and shows whether the column
+//! converges at all. Neither a conserved energy nor the sum of an adaptive method's local errors says as much.
 //! The first knows nothing of positions, the second nothing of how errors grow or cancel.
 //!
 //! All of these runs may agree on a motion that is unstable. A run with a small deviation at the start has the verdict
@@ -142,9 +142,10 @@ fn accuracy(observer: &Observer, model: &Model, own: &Run, seen: &Observations) 
     } else {
         // A run that fails shows nothing about convergence.
         if columns.iter().any(|column| is_unsure(column, column.time)) {
-            let again = refine_in_time(observer, &finer, in_time.counts.steps).ok();
-            let second = again.map(|(_, run, ..)| changes(&in_time.trajectory, &run.trajectory));
-            judge_convergence(&mut columns, |column| column.time, &time_changes, second.as_deref());
+            let coarser = observer.run(&coarser_steps(scene)).ok();
+            let first = coarser.map(|(run, _)| changes(&run.trajectory, &own.trajectory));
+            let second = first.is_some().then_some(&*time_changes);
+            judge_convergence(&mut columns, |column| column.time, first.as_deref().unwrap_or(&time_changes), second);
         }
         if columns.iter().any(|column| is_unsure(column, column.space)) {
             let coarser = coarser_mesh(base).and_then(|coarser| observer.run(&coarser).ok());
@@ -180,6 +181,21 @@ fn judge_convergence(
             column.convergence = found.unwrap_or(Convergence::Unsure);
         }
     }
+}
+
+/// Scene with twice the step, half the load steps, or ten times the tolerance. It may be none that runs.
+fn coarser_steps(scene: &Scene) -> Scene {
+    let mut coarser = scene.clone();
+    let time = &mut coarser.time;
+    match time.method {
+        Method::Static => time.load_steps /= 2,
+        method if method.is_adaptive() => time.tolerance *= 10.0,
+        _ => {
+            time.step *= 2.0;
+            coarser.output.interval = Some(coarser.output.interval.unwrap_or(0.0).max(time.step));
+        }
+    }
+    coarser
 }
 
 /// Scene with half the elements of every rod; `None` where a number is odd.
