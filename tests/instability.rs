@@ -202,6 +202,27 @@ fn built_in_scenes_are_not_warned_of() {
     }
 }
 
+/// No built-in scene is refused as unstable, or warned of, over its whole length (of the scissors, half a second).
+#[cfg(not(debug_assertions))]
+#[test]
+fn built_in_scenes_pass_the_perturbed_run() {
+    let mut count = 0;
+    for name in ancf::internals::model::builtin_names() {
+        let mut scene = Scene::builtin(name).unwrap();
+        if scene.time.method == Method::Static {
+            continue;
+        }
+        if name.starts_with("scissors") {
+            scene = scene.until(0.5);
+        }
+        let estimated = run_estimated(&scene, |_| ());
+        assert!(!matches!(estimated, Err(Error::UnstableMotion { .. })), "{name}: {estimated:?}");
+        assert!(!warns(&scene), "{name}");
+        count += 1;
+    }
+    assert_eq!(count, 8);
+}
+
 /// A rod balanced on its pivot falls, if anything disturbs it: like e^(μt), μ² = 3g/(2L). The watch bounds μ from below within a factor
 /// of 1.4. With the energy–momentum rule the sudden weight keeps the rod vibrating along its axis, which hides the growth from looks,
 /// and not from the perturbed run.

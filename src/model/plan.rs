@@ -123,7 +123,7 @@ impl Plan {
                 true,
                 match scene.time.method {
                     Method::Static => "each row is judged by the eigenvalues of its tangent",
-                    _ => "one every 8 to 500 steps, by the method's cost, tells whether small deviations grow",
+                    _ => "one every 8 to 1000 steps, by the method's cost, tells whether small deviations grow",
                 },
             ),
             part(

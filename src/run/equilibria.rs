@@ -15,10 +15,12 @@ pub struct Equilibria {
     /// Load factor of the first row whose stability could not be told.
     unknown_at: Option<f64>,
     is_unstable_now: bool,
+    /// Whether the path is that of an arc length, along which the load may fall.
+    follows_arc: bool,
 }
 
 impl Equilibria {
-    pub fn new(structure: &Structure) -> Equilibria {
+    pub fn new(structure: &Structure, follows_arc: bool) -> Equilibria {
         Equilibria {
             counter: StabilityCounter::new(structure),
             directions: 0,
@@ -26,6 +28,7 @@ impl Equilibria {
             stable_to: None,
             unknown_at: None,
             is_unstable_now: false,
+            follows_arc,
         }
     }
 
@@ -55,10 +58,16 @@ impl Equilibria {
             let directions = self.directions;
             let before = self.stable_to.map_or(String::new(), |to| format!(" (stable up to {})", time_text(to)));
             let now = if self.is_unstable_now { "" } else { ", the last one is stable again" };
+            let from = time_text(from);
+            if self.follows_arc {
+                return format!(
+                    "the path is unstable beyond {from} of the load{before}, in {directions} direction(s){now}: under a given load the structure \
+                     snaps through there, or buckles"
+                );
+            }
             format!(
-                "the equilibria from {} of the load on are unstable{before}, in {directions} direction(s){now}: the structure is loaded \
-                 beyond its buckling load and would leave this position; an `imperfection` or a small force across shows where to",
-                time_text(from)
+                "the equilibria from {from} of the load on are unstable{before}, in {directions} direction(s){now}: the structure is loaded \
+                 beyond its buckling load and would leave this position; an `imperfection` or a small force across shows where to"
             )
         });
         let unknown = self.unknown_at.map(|load| {

@@ -65,7 +65,7 @@ impl Monitor {
             let reference = if loads.total > 0.0 { Reference::Loads(loads) } else { known() };
             Rounding { reference, fractions: [0.0; 2] }
         });
-        let equilibria = rounding.is_none().then(|| Equilibria::new(structure));
+        let equilibria = rounding.is_none().then(|| Equilibria::new(structure, scene.time.has_load_column()));
         Monitor { before: structure.start().clone(), rounding, equilibria }
     }
 
