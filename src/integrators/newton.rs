@@ -10,12 +10,9 @@ use crate::linear::SingularAt;
 /// Most matrices per solution: more never helped, since Newton takes three to eight where it converges at all.
 const MOST_MATRICES: usize = 30;
 
-/// Most iterations. With one tangent for several stages convergence is linear at long steps, by a factor of two each
-/// time, and a new matrix changes nothing.
-const MOST_ITERATIONS: usize = 150;
-
-/// Ratio of successive residuals below which an iteration goes on without new matrices.
-const CONVERGENT: f64 = 0.8;
+/// Most iterations beyond the last matrix, if these are expected to be enough. With one tangent for several stages
+/// convergence is linear at long steps, by a factor of two each time, and a new matrix changes nothing.
+const FURTHER_ITERATIONS: f64 = 20.0;
 
 /// Cost of a new matrix in iterations, measured: a reused matrix is kept as long as no more iterations are expected.
 const MATRIX_COST: f64 = 3.0;
@@ -159,7 +156,9 @@ impl Newton {
                 }
                 needs_matrix = self.always_new || rate >= 1.0 || (goal / size).ln() / rate.ln() > MATRIX_COST;
             }
-            let converges = rate < CONVERGENT && iterations < MOST_ITERATIONS;
+            // A NaN does not converge.
+            let converges = rate < 1.0
+                && iterations as f64 + (goal / size).ln() / rate.ln() <= MOST_MATRICES as f64 + FURTHER_ITERATIONS;
             if !finite || (matrices == MOST_MATRICES && !converges) {
                 self.has_matrix = false;
                 let (residual, tolerance) = (size / largest_term, self.tolerance);
