@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
 use ancf::model::{Model, Scene, ThermalModel};
 use ancf::run::{Run, Simulation, Trajectory};
-use ancf_conform::{Options, Report, Suite, equations_text, examine, load_state};
+use ancf_conform::{Options, Program, Report, Suite, equations_text, examine, load_state};
 use ancf_study::escape;
 use ancf_study::files::{Files, written_lines};
 use ancf_study::{error_time, stability};
@@ -183,8 +183,8 @@ fn main() -> ExitCode {
         }
         Some(Command::Equations { state }) => print_equations(state),
         Some(Command::Conform { fixtures, time_limit, no_given, allow_partial, out, command }) => {
-            let options = Options { time_limit: *time_limit, given: !no_given };
-            conform(command, fixtures.as_deref(), options, *allow_partial, &out.folder)
+            let options = Options { given: !no_given };
+            conform(command, *time_limit, fixtures.as_deref(), options, *allow_partial, &out.folder)
         }
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
@@ -277,6 +277,7 @@ const CONFORM_FILES: [&str; 2] = ["conformance.json", "conformance.md"];
 /// `ancf conform`.
 fn conform(
     command: &[String],
+    time_limit: Duration,
     fixtures: Option<&Path>,
     options: Options,
     allow_partial: bool,
@@ -286,9 +287,10 @@ fn conform(
     let words = command.iter().map(Path::new).chain(fixtures);
     let mut files = Files::in_folder(folder, CONFORM_FILES, &words.collect::<Vec<_>>())?;
     let bar = ProgressBar::new(100);
-    let examination = examine(&suite, command, options, |share| bar.set_position((100.0 * share) as u64));
+    let mut program = Program::start(command, time_limit)?;
+    let examination = examine(&suite, &mut program, options, |share| bar.set_position((100.0 * share) as u64));
     bar.finish_and_clear();
-    let mut report = Report::new(&suite, &examination?);
+    let mut report = Report::new(&suite, &examination);
     let text = report.markdown();
     // Keys of JSON in alphabetical order.
     files.identify(serde_json::to_value(&report).unwrap_or_default().to_string().as_bytes());

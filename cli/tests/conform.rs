@@ -10,7 +10,8 @@ use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
 use ancf_conform::{
-    Examination, Fault, GRAPH, InvalidOutcome, MOST_STARTS, Options, Reference, Report, Suite, Verdict, examine,
+    Examination, Fault, GRAPH, InvalidOutcome, MOST_STARTS, Options, Program, Reference, Report, Suite, Verdict,
+    examine,
 };
 use serde_json::{Value, json};
 
@@ -57,8 +58,8 @@ fn always(answer: &str, limit: f64) -> Examination {
 }
 
 fn examined(command: &[String], limit: f64) -> Examination {
-    let options = Options { time_limit: Duration::from_secs_f64(limit), given: true };
-    examine(&Suite::embedded().unwrap(), command, options, |_| {}).unwrap()
+    let mut program = Program::start(command, Duration::from_secs_f64(limit)).unwrap();
+    examine(&Suite::embedded().unwrap(), &mut program, Options::default(), |_| {})
 }
 
 fn text_of(examination: &Examination) -> String {
@@ -355,8 +356,7 @@ fn a_program_that_always_crashes_is_given_up() {
     let all: Vec<String> = GRAPH.iter().map(|node| format!("\"{}\"", node.quantity)).collect();
     let command = script(folder.path(), &all.join(","), "", ":");
     fs::write(&command[1], fs::read_to_string(&command[1]).unwrap().replace("n=$((n+1))", "exit 1")).unwrap();
-    let options = Options { time_limit: Duration::from_secs(5), given: true };
-    let examination = examine(&Suite::embedded().unwrap(), &command, options, |_| {}).unwrap();
+    let examination = examined(&command, 5.0);
     assert_eq!(examination.starts, MOST_STARTS);
     let verdicts: Vec<&Verdict> =
         examination.verdicts.iter().flat_map(|(_, cases)| cases.iter().map(|c| &c.1)).collect();
@@ -471,8 +471,7 @@ fn the_partial_adapter_in_javascript_passes() {
         return;
     }
     let adapter = concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures/adapters/shape.mjs");
-    let options = Options { time_limit: Duration::from_secs(20), given: true };
-    let examination = examine(&Suite::embedded().unwrap(), &["node".into(), adapter.into()], options, |_| {}).unwrap();
+    let examination = examined(&["node".into(), adapter.into()], 20.0);
     assert!(examination.passes(), "{:?}", examination.blame);
     assert_eq!(examination.implemented(), 8);
 }

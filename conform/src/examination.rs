@@ -17,8 +17,8 @@ pub type CaseVerdict = (usize, Verdict);
 /// All results of an examination.
 #[derive(Debug)]
 pub struct Examination {
-    /// Command that started the program.
-    pub command: String,
+    /// What the program is called if its hello has no name: the command that started it.
+    pub description: String,
     /// The program's answer to `hello`, or the fault that came in its place. After a fault nothing was asked.
     pub hello: Result<Hello, Fault>,
     /// Lines on the program's standard output that are not JSON objects.
@@ -76,11 +76,11 @@ impl Examination {
         !failing && !self.invalid.iter().any(|verdict| verdict.outcome.fails()) && self.implemented() > 0
     }
 
-    /// Name of the program; its command if it did not answer `hello`.
+    /// Name of the program; what it is called otherwise if it did not answer `hello`.
     pub fn name(&self) -> &str {
         match &self.hello {
             Ok(hello) => hello.name.as_deref().unwrap_or("a program without a name"),
-            Err(_) => &self.command,
+            Err(_) => &self.description,
         }
     }
 

@@ -1,18 +1,18 @@
 //! The examiner: asks every question and judges the answers.
 
 use std::collections::BTreeMap;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use serde_json::Value;
 
+use crate::answers::{Answers, CaseAnswer, judged};
 use crate::blame::{Blame, Status, WithGiven, blame};
 use crate::diagnosis::{Observation, Outcome, diagnose};
-use crate::error::Result;
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 use crate::graph::{GRAPH, Node};
-use crate::protocol::{self, Answer, Question, hello_line};
+use crate::protocol::{Answer, Asked, Hello, announcement};
 use crate::subject::Subject;
-use crate::suite::{Case, InvalidCase, Reference, Suite};
+use crate::suite::{InvalidCase, Suite};
 use crate::verdict::{Fault, Verdict, Wrong};
 
 /// Number of times that a program may hang or crash at a quantity before the rest of its cases is skipped.
@@ -21,30 +21,27 @@ const PATIENCE: usize = 3;
 /// Options of an examination.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// Time limit of an answer.
-    pub time_limit: Duration,
     /// Whether reference values of intermediate quantities are sent to a program that accepts them.
     pub given: bool,
 }
 
-/// Examines a program: starts it, asks every question, and finds the equations that are wrong.
-///
-/// `command` is the program and its arguments. `progress` receives the share that is done, from 0 to 1.
-///
-/// # Errors
-/// [`Error::Command`](crate::Error::Command) if the program cannot be started. Any later fault of the program is a result.
-pub fn examine(suite: &Suite, command: &[String], options: Options, progress: impl Fn(f64)) -> Result<Examination> {
-    let started = Instant::now();
-    let subject = Subject::start(command, options.time_limit, hello_line(suite))?;
-    let listed = subject.hello.as_ref().ok().and_then(|hello| hello.quantities.clone());
-    let accepts_given = options.given && subject.hello.as_ref().is_ok_and(|hello| hello.given);
-    let mut examiner = Examiner { suite, subject, listed, questions: 0 };
-    let mut verdicts = Vec::new();
-    for (n, node) in GRAPH.iter().enumerate() {
-        verdicts.push((node.quantity, examiner.verdicts(node.quantity)));
-        progress((n + 1) as f64 / (GRAPH.len() + 1) as f64);
+impl Default for Options {
+    fn default() -> Options {
+        Options { given: true }
     }
+}
+
+/// Examines a program: asks every question, and finds the equations that are wrong.
+///
+/// `progress` receives the share that is done, from 0 to 1. Any fault of the program is a result.
+pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progress: impl Fn(f64)) -> Examination {
+    let started = Instant::now();
+    let hello = subject.hello(&announcement(suite));
+    let accepts_given = options.given && hello.as_ref().is_ok_and(|hello| hello.given);
+    let mut examiner = Examiner { suite, subject, hello, questions: 0 };
+    let answers = examiner.answers(&progress);
     let invalid = examiner.invalid();
+    let verdicts = answers.judged(suite);
     let again: BTreeMap<&str, Vec<CaseVerdict>> = (verdicts.iter().zip(GRAPH))
         .filter(|((_, cases), node)| accepts_given && !node.given.is_empty() && any(cases, Verdict::fails))
         .map(|((quantity, cases), node)| (*quantity, examiner.with_given(node, cases)))
@@ -52,7 +49,7 @@ pub fn examine(suite: &Suite, command: &[String], options: Options, progress: im
     let again = |quantity: &str| again.get(quantity).map(Vec::as_slice);
     let statuses = verdicts.iter().map(|(quantity, cases)| (*quantity, status(cases, again(quantity)))).collect();
     // A program that was not asked has no wrong equation.
-    let blame = if examiner.subject.hello.is_ok() { blame(&statuses) } else { Blame::default() };
+    let blame = if examiner.hello.is_ok() { blame(&statuses) } else { Blame::default() };
     let culprits = blame.culprits.iter().filter_map(|culprit| {
         let (quantity, cases) = verdicts.iter().find(|(quantity, _)| *quantity == culprit.quantity)?;
         // Answers to reference inputs show the quantity's own mistake alone.
@@ -61,18 +58,18 @@ pub fn examine(suite: &Suite, command: &[String], options: Options, progress: im
     });
     let diagnoses = culprits.collect();
     progress(1.0);
-    Ok(Examination {
-        command: command.join(" "),
-        hello: examiner.subject.hello.clone(),
-        chatter: examiner.subject.chatter.clone(),
-        starts: examiner.subject.starts,
+    Examination {
+        description: examiner.subject.description(),
+        chatter: examiner.subject.chatter(),
+        starts: examiner.subject.starts(),
+        hello: examiner.hello,
         questions: examiner.questions,
         seconds: started.elapsed().as_secs_f64(),
         verdicts,
         invalid,
         blame,
         diagnoses,
-    })
+    }
 }
 
 fn any(cases: &[CaseVerdict], wanted: fn(&Verdict) -> bool) -> bool {
@@ -132,42 +129,49 @@ fn with_given(cases: &[CaseVerdict], again: &[CaseVerdict]) -> WithGiven {
 
 struct Examiner<'a> {
     suite: &'a Suite,
-    subject: Subject,
-    /// Quantities that the program listed in its first `hello`.
-    listed: Option<Vec<String>>,
+    subject: &'a mut dyn Subject,
+    hello: Result<Hello, Fault>,
     questions: usize,
 }
 
-impl Examiner<'_> {
+impl<'a> Examiner<'a> {
     /// Whether the program implements a quantity, as far as it said.
     fn has(&self, quantity: &str) -> bool {
-        self.listed.as_ref().is_none_or(|list| list.iter().any(|id| id == quantity))
+        let listed = self.hello.as_ref().ok().and_then(|hello| hello.quantities.as_ref());
+        listed.is_none_or(|list| list.iter().any(|id| id == quantity))
+    }
+
+    /// Asks every question.
+    fn answers(&mut self, progress: &impl Fn(f64)) -> Answers {
+        let mut answers = Vec::new();
+        for (n, node) in GRAPH.iter().enumerate() {
+            answers.push((node.quantity, self.in_every_case(node.quantity)));
+            progress((n + 1) as f64 / (GRAPH.len() + 1) as f64);
+        }
+        Answers(answers)
     }
 
     /// Asks for a quantity in every case that has a reference value.
-    fn verdicts(&mut self, quantity: &str) -> Vec<CaseVerdict> {
+    fn in_every_case(&mut self, quantity: &'static str) -> Vec<CaseAnswer> {
         let (suite, has) = (self.suite, self.has(quantity));
-        let (mut verdicts, mut ended) = (Vec::new(), 0);
-        for (n, case) in suite.cases.iter().enumerate() {
-            let Some(reference) = case.values.get(quantity) else { continue };
-            let verdict = if !has {
-                Verdict::NotImplemented
+        let (mut answers, mut ended) = (Vec::new(), 0);
+        for (n, case) in suite.cases.iter().enumerate().filter(|(_, case)| case.values.contains_key(quantity)) {
+            let answer = if !has {
+                Ok(Answer::NotImplemented)
             } else if ended >= PATIENCE {
-                Verdict::Fault(Fault::NotAsked(format!(
-                    "it hung or crashed {PATIENCE} times before, or wrote an endless line"
-                )))
+                Err(Fault::NotAsked(format!("it hung or crashed {PATIENCE} times before, or wrote an endless line")))
             } else {
-                self.verdict(quantity, case, reference, &[])
+                self.ask(quantity, &case.state_json, case.given(&[]))
             };
-            ended += match verdict {
-                Verdict::Fault(Fault::TimeLimit(_) | Fault::Crash(_)) => 1,
+            ended += match answer {
+                Err(Fault::TimeLimit(_) | Fault::Crash(_)) => 1,
                 // A program that writes an endless line will do so again, and each one takes long.
-                Verdict::Fault(Fault::Endless(_)) => PATIENCE,
+                Err(Fault::Endless(_)) => PATIENCE,
                 _ => 0,
             };
-            verdicts.push((n, verdict));
+            answers.push((n, answer));
         }
-        verdicts
+        answers
     }
 
     /// Asks again with reference values of the quantity's inputs. Right cases are included, since two mistakes may have cancelled there.
@@ -181,22 +185,9 @@ impl Examiner<'_> {
         });
         let again = answered.filter_map(|(n, _)| {
             let case = suite.cases.get(*n)?;
-            Some((*n, self.verdict(node.quantity, case, case.values.get(node.quantity)?, node.given)))
+            Some((*n, self.ask(node.quantity, &case.state_json, case.given(node.given))))
         });
-        again.collect()
-    }
-
-    fn verdict(&mut self, quantity: &str, case: &Case, reference: &Reference, given: &[&str]) -> Verdict {
-        let given = case.given(given);
-        match self.ask(quantity, &case.state_json, given) {
-            Ok(Answer::Value(value)) => match protocol::numbers(&value, &reference.shape) {
-                Ok(numbers) => Verdict::of(numbers, reference),
-                Err(fault) => Verdict::Fault(fault),
-            },
-            Ok(Answer::NotImplemented) => Verdict::NotImplemented,
-            Ok(Answer::Error(message)) => Verdict::Fault(Fault::Error(message)),
-            Err(fault) => Verdict::Fault(fault),
-        }
+        judged(suite, node.quantity, &again.collect::<Vec<_>>())
     }
 
     /// Asks for a quantity in every state that must be refused.
@@ -218,12 +209,12 @@ impl Examiner<'_> {
     }
 
     fn ask(&mut self, equation: &str, state: &Value, given: BTreeMap<&str, &Value>) -> Result<Answer, Fault> {
-        if let Err(fault) = &self.subject.hello {
+        if let Err(fault) = &self.hello {
             return Err(Fault::NotAsked(format!("it did not answer hello: {fault}")));
         }
         self.questions += 1;
         let id = self.questions.to_string();
-        self.subject.ask(&id, Question::Quantity { equation, given, id: &id, state }.line())
+        self.subject.ask(&Asked { equation, given, id: &id, state })
     }
 }
 

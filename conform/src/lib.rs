@@ -1,10 +1,11 @@
 //! Conformance kit: finds the wrong equation of another implementation of the planar thermo-elastic ANCF beam.
 //!
-//! `ancf conform -- COMMAND…` does this for a program in any language: [`examine`] starts it and asks for every quantity in every state
-//! of the fixtures, one line of JSON at a time. It compares the answers entry by entry, follows wrong ones along the dependencies of
-//! the paper's quantities to the first wrong equation, and names the mistakes that explain it. [`Report`] holds the results.
+//! `ancf conform -- COMMAND…` does this for a program in any language: [`examine`] asks for every quantity in every state of the
+//! fixtures, one line of JSON at a time. It compares the answers entry by entry, follows wrong ones along the dependencies of the
+//! paper's quantities to the first wrong equation, and names the mistakes that explain it. [`Report`] holds the results.
 //!
-//! A Rust implementation can be checked directly against the reference values of a [`Suite`]:
+//! A [`Subject`] is what is asked: a [`Program`] in a process of its own, or [`Code`] of this process, for a unit test in Rust. Values
+//! can also be compared one at a time with the reference values of a [`Suite`]:
 //!
 //! ```
 //! use ancf_conform::{State, Suite, Verdict};
@@ -24,8 +25,9 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, examination, diagnosis, blame, subject, process, protocol; equations_text, state_file;
-// verdict, suite, numbers, graph, error.
+// schema, report, examiner, answers, examination, diagnosis, blame, program, subject, process, protocol;
+// equations_text, state_file; verdict, suite, numbers, graph, error.
+mod answers;
 mod blame;
 mod diagnosis;
 mod equations_text;
@@ -35,6 +37,7 @@ mod examiner;
 mod graph;
 mod numbers;
 mod process;
+mod program;
 mod protocol;
 pub mod report;
 mod schema;
@@ -50,10 +53,11 @@ pub use error::{Error, Result};
 pub use examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 pub use examiner::{Options, examine};
 pub use graph::{GRAPH, Node};
-pub use protocol::{Answer, AnswerLine, Hello, numbers as read_numbers, read as read_answer};
+pub use program::{MOST_STARTS, Program};
+pub use protocol::{Answer, AnswerLine, Asked, Hello, Question, numbers as read_numbers, read as read_answer};
 pub use report::Report;
 pub use schema::schemas;
 pub use state_file::load as load_state;
-pub use subject::{Chatter, MOST_STARTS};
+pub use subject::{Chatter, Code, Subject};
 pub use suite::{Case, InvalidCase, Length, Per, Quantity, Reference, State, Suite};
 pub use verdict::{Fault, Verdict, Wrong};

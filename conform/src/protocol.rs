@@ -39,22 +39,26 @@ pub enum Question<'a> {
         hello: Announcement<'a>,
     },
     /// A question.
-    Quantity {
-        /// Name of the quantity that is asked for, such as 21.K_1.
-        equation: &'a str,
-        /// Reference values of other quantities, by name, each in its SI unit. For (23) always those of 23.m, 23.Q_e, 23.f and 23.Phi_q.
-        /// Otherwise the inputs of a quantity that failed before, if the program accepts them.
-        #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-        #[schemars(with = "BTreeMap<String, Numbers>")]
-        given: BTreeMap<&'a str, &'a Value>,
-        /// Name of the question; the answer repeats it.
-        #[schemars(length(min = 1))]
-        id: &'a str,
-        /// State in SI units: of an element as in equations.json or cable.json, for (23) that of a case in structure.json. It may be one
-        /// of invalid.json.
-        #[schemars(with = "Map<String, Value>")]
-        state: &'a Value,
-    },
+    Quantity(Asked<'a>),
+}
+
+/// A question: a quantity in a state.
+#[derive(Serialize, JsonSchema)]
+pub struct Asked<'a> {
+    /// Name of the quantity that is asked for, such as 21.K_1.
+    pub equation: &'a str,
+    /// Reference values of other quantities, by name, each in its SI unit. For (23) always those of 23.m, 23.Q_e, 23.f and 23.Phi_q.
+    /// Otherwise the inputs of a quantity that failed before, if the program accepts them.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[schemars(with = "BTreeMap<String, Numbers>")]
+    pub given: BTreeMap<&'a str, &'a Value>,
+    /// Name of the question; the answer repeats it.
+    #[schemars(length(min = 1))]
+    pub id: &'a str,
+    /// State in SI units: of an element as in equations.json or cable.json, for (23) that of a case in structure.json. It may be one
+    /// of invalid.json.
+    #[schemars(with = "Map<String, Value>")]
+    pub state: &'a Value,
 }
 
 /// What the program will be asked.
@@ -119,6 +123,16 @@ pub enum Answer {
     Error(String),
 }
 
+impl Answer {
+    /// Answer with a number or nested lists of numbers: arrays, slices or vectors of `f64`, rows first.
+    pub fn value(value: impl Serialize) -> Answer {
+        match serde_json::to_value(value) {
+            Ok(value) => Answer::Value(value),
+            Err(error) => Answer::Error(format!("the value cannot be written as JSON: {error}")),
+        }
+    }
+}
+
 /// Schema of the value `true`.
 fn always_true(_: &mut SchemaGenerator) -> Schema {
     json_schema!({"const": true})
@@ -149,19 +163,30 @@ impl Hello {
     }
 }
 
-/// Returns the first line to a program.
-pub fn hello_line(suite: &Suite) -> String {
+/// Returns the first question: the announcement of every quantity.
+pub fn announcement(suite: &Suite) -> Question<'_> {
     let described = |id: &'static str| Some((id, suite.quantities.get(id)?));
     let quantities = GRAPH.iter().filter_map(|node| described(node.quantity)).collect();
-    Question::Hello { hello: Announcement { protocol: PROTOCOL, quantities } }.line()
+    Question::Hello { hello: Announcement { protocol: PROTOCOL, quantities } }
 }
 
 impl Question<'_> {
     /// The question as a line of JSON.
     pub fn line(&self) -> String {
-        // Maps with text keys can always be written.
-        serde_json::to_string(self).unwrap_or_default()
+        line(self)
     }
+}
+
+impl Asked<'_> {
+    /// The question as a line of JSON.
+    pub fn line(&self) -> String {
+        line(self)
+    }
+}
+
+fn line(question: &impl Serialize) -> String {
+    // Maps with text keys can always be written.
+    serde_json::to_string(question).unwrap_or_default()
 }
 
 /// Reads a line of the program.
@@ -207,16 +232,18 @@ pub fn numbers(value: &Value, shape: &[usize]) -> Result<Vec<f64>, Fault> {
         count => return Err(Fault::NotFinite(format!("{count} of its entries"))),
     }
     let mut numbers = Vec::new();
-    let expected = shape_text(shape);
     match flatten(value, &mut numbers) {
-        None => Err(Fault::Shape(format!("not nested lists of numbers; expected {expected}"))),
-        Some(found) if found != shape => {
-            let turned: Vec<usize> = shape.iter().rev().copied().collect();
-            let hint = if found == turned { ", rows and columns exchanged" } else { "" };
-            Err(Fault::Shape(format!("{}{hint}; expected {expected}", shape_text(&found))))
-        }
+        None => Err(Fault::Shape(format!("not nested lists of numbers; expected {}", shape_text(shape)))),
+        Some(found) if found != shape => Err(other_shape(&found, shape)),
         Some(_) => Ok(numbers),
     }
+}
+
+/// Fault of an answer with another shape than expected.
+fn other_shape(found: &[usize], expected: &[usize]) -> Fault {
+    let turned: Vec<usize> = expected.iter().rev().copied().collect();
+    let hint = if found == turned { ", rows and columns exchanged" } else { "" };
+    Fault::Shape(format!("{}{hint}; expected {}", shape_text(found), shape_text(expected)))
 }
 
 /// Counts the null entries of nested lists.
