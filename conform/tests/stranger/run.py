@@ -75,7 +75,10 @@ def answers(program, options, asked):
     done = subprocess.run([program, *options], input=text, capture_output=True, text=True, check=True)
     out = {}
     for (key, *_), line in zip(asked, done.stdout.splitlines(), strict=True):
-        value = json.loads(line).get("value")
+        try:
+            value = json.loads(line).get("value")
+        except json.JSONDecodeError:  # nan or inf
+            value = None
         out[key] = None if value is None else flat(value)
     return out
 
