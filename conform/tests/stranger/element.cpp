@@ -547,11 +547,7 @@ template <class T> class Beam {
     // --- (5) to (7): inertia
 
     Vec<T> velocity(int p) const {
-        const Shapes f = shapes(m("5-first-point") ? 0 : p);
-        const Vec<T>& rate = m("5-of-e") ? s.e : s.edot;
-        Vec<T> v(2, T(0));
-        for (int a = 0; a < 7; ++a)
-            for (int c = 0; c < 2; ++c) v[c] += f.N[a] * rate[2 * a + c];
+        Vec<T> v = times(shape_matrix(m("5-first-point") ? 0 : p), m("5-of-e") ? s.e : s.edot);
         if (m("5-plus-position")) v[0] += position(p)[0];
         return v;
     }
