@@ -18,6 +18,13 @@ class Mistake(NamedTuple):
     route: str = "stress"
     words: tuple = ()
 
+    @property
+    def also(self):
+        """Later quantities that the same line makes wrong, with right inputs: integrals over the same points."""
+        if "cable.U" in self.quantities:
+            return ("cable.Q_e", "cable.tangent")
+        return ("19.Q_e", "tangent.dQ_e") if "21.K_1" in self.quantities and "18.U" in self.quantities else ()
+
 
 def _of(equation, quantities, rows, route="stress"):
     """Mistakes of one equation; a row may bring its own quantities."""

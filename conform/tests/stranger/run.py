@@ -140,13 +140,20 @@ def is_root(result, mistake):
     return result.get(QUANTITY) in mistake.quantities
 
 
+def others(report, *roots):
+    """Culprits that no mistake makes wrong by itself."""
+    return [culprit[QUANTITY] for culprit in report.get(CULPRITS, [])
+            if not any(culprit[QUANTITY] in root.quantities + root.also for root in roots)]
+
+
 def verdict(report, mistake):
-    """Detected, right equation, right kind, and what was said."""
+    """Detected, right equation, right kind, nothing else accused, and what was said."""
     first = report.get(FIRST) or {}
     kinds = kinds_of(first)
     right = is_root(first, mistake)
-    said = f"{first.get(QUANTITY)} {', '.join(kinds) or '-'}"
-    return report.get(PASSES) is False, right, right and fits(kinds, mistake), said
+    more = others(report, mistake)
+    said = f"{first.get(QUANTITY)} {', '.join(kinds) or '-'}" + (f"; accused too {' '.join(more)}" if more else "")
+    return report.get(PASSES) is False, right, right and fits(kinds, mistake), not more, said
 
 
 def verdict_of_box(report, mistake, asked_for):
@@ -157,6 +164,8 @@ def verdict_of_box(report, mistake, asked_for):
     if any(quantity in asked_for for quantity in mistake.quantities):
         right = is_root(first, mistake)
         return right, bool(first) and not right, said
+    if first.get(QUANTITY) in mistake.also and fits(kinds_of(first), mistake):
+        return True, False, said
     if ancestors is None:
         # A kind at a right equation accuses it.
         return False, bool(kinds_of(first)), said
@@ -210,15 +219,14 @@ class Runner:
         reports = self.reports({mistake.name: options_of(mistake.name) + extra for mistake in chosen})
         for part in ("beam", "cable"):
             mine = [mistake for mistake in chosen if (mistake.equation == "cable") == (part == "cable")]
-            counts, rows = {"detected": 0, "equation": 0, "kind": 0}, []
+            counts, rows = {"detected": 0, "equation": 0, "kind": 0, "nothing else accused": 0}, []
             for mistake in mine:
-                detected, equation, kind, said = verdict(reports[mistake.name][1], mistake)
-                counts["detected"] += detected
-                counts["equation"] += equation
-                counts["kind"] += kind
-                self.results[f"{name} {mistake.name}"] = [detected, equation, kind, said]
-                if not kind:
-                    fault = "kind" if equation else "equation" if detected else "not detected"
+                detected, equation, kind, alone, said = verdict(reports[mistake.name][1], mistake)
+                for what, right in zip(counts, (detected, equation, kind, alone)):
+                    counts[what] += right
+                self.results[f"{name} {mistake.name}"] = [detected, equation, kind, alone, said]
+                if not (kind and alone):
+                    fault = "accused" if kind else "kind" if equation else "equation" if detected else "not detected"
                     rows.append((fault, mistake.name, "| is", *mistake.quantities, *mistake.kinds, "| said", said))
             table(f"{name}, {part}", sorted(rows), counts, len(mine))
         print("changes nothing that is visible:", *unseen or ["none"])
@@ -301,7 +309,7 @@ class Runner:
             mistake = BY_NAME.get(name.split()[1])
             right = not culprits and report.get(PASSES) is True
             if mistake:
-                right = bool(culprits) and all(culprit in mistake.quantities for culprit in culprits)
+                right = bool(culprits) and not others(report, mistake)
             counts["right"] += right
             self.results[f"given {name}"] = right
             if not right:
@@ -316,7 +324,7 @@ class Runner:
             roots = [BY_NAME[name] for name in pair]
             culprits = report.get(CULPRITS, [])
             both = all(any(is_root(culprit, root) for culprit in culprits) for root in roots)
-            only = bool(culprits) and all(any(is_root(culprit, root) for root in roots) for culprit in culprits)
+            only = bool(culprits) and not others(report, *roots)
             counts["both named"] += both
             counts["nothing else accused"] += only
             self.results["pair " + " + ".join(pair)] = [both, only]
