@@ -18,21 +18,17 @@ class Mistake(NamedTuple):
     route: str = "stress"
     words: tuple = ()
 
-    @property
-    def also(self):
-        """Later quantities that the same line makes wrong, with right inputs: integrals over the same points."""
-        if "cable.U" in self.quantities:
-            return ("cable.Q_e", "cable.tangent")
-        return ("19.Q_e", "tangent.dQ_e") if "21.K_1" in self.quantities and "18.U" in self.quantities else ()
+    # Later quantities that the same line makes wrong although their inputs are right: integrals over the same points.
+    also: tuple = ()
 
 
-def _of(equation, quantities, rows, route="stress"):
+def _of(equation, quantities, rows, route="stress", also=""):
     """Mistakes of one equation; a row may bring its own quantities."""
     out = []
     for name, kinds, what, *own in rows:
         names = own[0] if own else quantities
         out.append(Mistake(name, equation, tuple(names.split()), tuple(kinds.split()), what, route,
-                           tuple(own[1].split()) if len(own) > 1 else ()))
+                           tuple(own[1].split()) if len(own) > 1 else (), tuple(also.split())))
     return out
 
 
@@ -216,11 +212,13 @@ BEAM = [
         ("18-middle-weight", "quadrature factor", "128/255 for 128/225", INTEGRALS + " cable.U"),
         ("18-no-width", "missing factor", "w left out"),
         ("18-jacobian-h", "factor", "h in place of h/2 in the weights"),
-        ("18-strain-with-heat", "heat missing", "the whole strain times the stress", "18.U"),
-        ("18-integer-half", "missing factor", "1/2 in integers: zero", "18.U"),
-        ("18-no-half", "missing factor", "1/2 left out", "18.U"),
-        ("E3-energy", "erratum", "shear counted once in energy, force, K and tangent (E3)", "18.U 20.K"),
         ("E3-own-axes", "erratum factor", "E3 in the rod's own axes, theta ignored", INTEGRALS + " 20.K"),
+    ], also="19.Q_e tangent.dQ_e"),
+    *_of("18", "18.U", [
+        ("18-strain-with-heat", "heat missing", "the whole strain times the stress"),
+        ("18-integer-half", "missing factor", "1/2 in integers: zero"),
+        ("18-no-half", "missing factor", "1/2 left out"),
+        ("E3-energy", "erratum", "shear counted once in energy, force, K and tangent (E3)", "18.U 20.K"),
     ]),
     *_of("19", "19.Q_e", [
         ("19-at-start", "other missing", "the strain's derivative at the start: linear"),
@@ -326,16 +324,6 @@ CABLE = [
         ("c-kappa-not-divided", "missing other", "r_x cross r_xx", "cable.kappa", "curvature"),
         ("c-kappa-cubed", "other factor", "divided by |r_x|^3: spatial curvature", "cable.kappa", "curvature"),
         ("c-kappa-second-derivative", "other", "|r_xx|", "cable.kappa", "curvature"),
-        ("c-area-square", "other factor", "A = h^2", "cable.U"),
-        ("c-inertia-w-h", "other factor", "I = h w^3/12", "cable.U"),
-        ("c-inertia-three", "factor", "I = w h^3/3", "cable.U"),
-        ("c-inertia-no-twelve", "missing factor", "I = w h^3", "cable.U"),
-        ("c-axial-three", "quadrature", "three Gauss points for the axial part", "cable.U", "integration"),
-        ("c-axial-one", "quadrature", "one Gauss point for the axial part", "cable.U", "integration"),
-        ("c-bending-two", "quadrature", "two Gauss points for bending", "cable.U", "integration"),
-        ("c-bending-five", "quadrature", "five Gauss points for bending", "cable.U", "integration"),
-        ("c-reduced", "quadrature", "four and two points: Exudyn's reduced order", "cable.U", "integration"),
-        ("c-plane-strain", "poisson factor other", "E/(1 - nu^2)", "cable.U"),
         ("c-energy-no-half", "missing factor", "1/2 left out", "cable.U"),
         ("c-force-minus", "sign", "-Q_e", "cable.Q_e"),
         ("c-tangent-no-geometric", "missing", "second derivatives of strain and curvature left out", "cable.tangent"),
@@ -347,6 +335,18 @@ CABLE = [
         ("c-weight-minus", "sign", "g upwards", "cable.Q_w"),
         ("c-plus-force", "sign", "M eddot = Q_w + Q_e", "cable.eddot"),
     ]),
+    *_of("cable", "", [
+        ("c-area-square", "other factor", "A = h^2", "cable.U"),
+        ("c-inertia-w-h", "other factor", "I = h w^3/12", "cable.U"),
+        ("c-inertia-three", "factor", "I = w h^3/3", "cable.U"),
+        ("c-inertia-no-twelve", "missing factor", "I = w h^3", "cable.U"),
+        ("c-axial-three", "quadrature", "three Gauss points for the axial part", "cable.U", "integration"),
+        ("c-axial-one", "quadrature", "one Gauss point for the axial part", "cable.U", "integration"),
+        ("c-bending-two", "quadrature", "two Gauss points for bending", "cable.U", "integration"),
+        ("c-bending-five", "quadrature", "five Gauss points for bending", "cable.U", "integration"),
+        ("c-reduced", "quadrature", "four and two points: Exudyn's reduced order", "cable.U", "integration"),
+        ("c-plane-strain", "poisson factor other", "E/(1 - nu^2)", "cable.U"),
+    ], also="cable.Q_e cable.tangent"),
 ]
 
 MISTAKES = BEAM + CABLE
