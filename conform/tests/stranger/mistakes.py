@@ -410,14 +410,14 @@ MEMORIES = (
     "material-of-first-state",
 )
 
-# Bad formats: a word that the report has to have, or None where the program has to pass all the same.
+# Bad formats: words that the report has to have (a quoted line has none of them), or None where the program has to pass all the same.
 TALKS = {
     "no-flush": r"flush",
     "pretty": r"several lines|pretty|more than one line|line by line",
-    "leading-dot": r"leading|before the point|\.5|zero before",
-    "trailing-dot": r"trailing|after the point|1\.(?!\d)",
-    "fortran": r"fortran|D\+|exponent",
-    "plus": r"plus|\+1|leading \+",
+    "leading-dot": r"leading (dot|point)|before the (dot|point)|zero before",
+    "trailing-dot": r"trailing (dot|point)|after the (dot|point)",
+    "fortran": r"(?i)fortran|exponent D|D exponent|letter D",
+    "plus": r"plus sign|leading (plus|\+)",
     "trailing-comma": r"comma",
     "nan": r"NaN",
     "banner": None,
