@@ -410,7 +410,8 @@ MEMORIES = (
     "material-of-first-state",
 )
 
-# Bad formats: words that the report has to have (a quoted line has none of them), or None where the program has to pass all the same.
+# Bad formats: words that the report has to have (a quoted line has none of them), or None
+# where the program has to pass all the same.
 TALKS = {
     "no-flush": r"flush",
     "pretty": r"several lines|pretty|more than one line|line by line",
