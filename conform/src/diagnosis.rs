@@ -4,11 +4,13 @@
 //! right cases. Wrong factors and signs are computed from the answers by `factors`.
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// diagnose, factors, power;
+// ancestors, diagnose, factors, power;
 // errata, heat, law, integral, gradient, inertia, reading, angle, layout, copied;
-// terms, quadrature, candidate, entries, observation, mistake.
+// terms, chain, quadrature, candidate, entries, observation, mistake.
+mod ancestors;
 mod angle;
 mod candidate;
+mod chain;
 mod copied;
 mod diagnose;
 mod entries;
@@ -29,6 +31,7 @@ mod terms;
 #[cfg(test)]
 mod tests;
 
+pub use ancestors::{Ancestor, Seen, ancestors};
 pub use diagnose::{Diagnosis, diagnose};
 pub use mistake::{Mistake, MistakeKind};
 pub use observation::{Observation, Outcome};

@@ -85,7 +85,7 @@ fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> 
         let fitting = candidates(quantity, observation.case, reference)
             .into_iter()
             .filter(|candidate| found.as_ref().is_none_or(|found| found.contains(&candidate.mistake)))
-            .filter(|candidate| explains(candidate, observation.outcome, reference))
+            .filter(|candidate| explains((candidate.value)().as_deref(), observation.outcome, reference))
             .map(|candidate| candidate.mistake);
         found = Some(fitting.collect());
         if found.as_ref().is_some_and(BTreeSet::is_empty) {
@@ -96,7 +96,7 @@ fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> 
 }
 
 /// All candidates for a quantity in one case. Wrong factors are not among them.
-fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -> Vec<Candidate<'a>> {
+pub(super) fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -> Vec<Candidate<'a>> {
     let mut all = errata::of(quantity, case);
     all.extend(layout::of(reference));
     all.extend(copied::of(quantity, case, reference));
@@ -108,13 +108,13 @@ fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -
     all
 }
 
-/// Whether a candidate explains an answer. It explains a wrong one only if it is nearer than half the distance of the reference value.
-fn explains(candidate: &Candidate, outcome: Outcome, reference: &Reference) -> bool {
-    let value = (candidate.value)();
+/// Whether the value that a mistake gives explains an answer. It explains a wrong one only if it is nearer than half the distance of the
+/// reference value.
+pub(super) fn explains(value: Option<&[f64]>, outcome: Outcome, reference: &Reference) -> bool {
     match (outcome, value) {
-        (Outcome::Right, Some(value)) => distance(&value, &reference.numbers, reference) <= LOOSE,
+        (Outcome::Right, Some(value)) => distance(value, &reference.numbers, reference) <= LOOSE,
         (Outcome::Wrong(answer), Some(value)) => {
-            let away = distance(&value, answer, reference);
+            let away = distance(value, answer, reference);
             away <= LOOSE && 2.0 * away < distance(&reference.numbers, answer, reference)
         }
         (Outcome::Refused(_), None) => true,
@@ -123,7 +123,7 @@ fn explains(candidate: &Candidate, outcome: Outcome, reference: &Reference) -> b
 }
 
 /// Tags that all failing cases have and no right one.
-fn common_tags(observations: &[Observation]) -> Vec<String> {
+pub(super) fn common_tags(observations: &[Observation]) -> Vec<String> {
     let (right, failing): (Vec<&Observation>, Vec<&Observation>) =
         observations.iter().partition(|o| o.outcome == Outcome::Right);
     let Some(first) = failing.first() else { return Vec::new() };
