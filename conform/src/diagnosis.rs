@@ -5,10 +5,11 @@
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
 // ancestors, diagnose, factors, power;
-// errata, heat, law, integral, gradient, inertia, reading, angle, layout, copied;
-// terms, chain, quadrature, candidate, entries, observation, mistake.
+// errata, heat, law, integral, gradient, inertia, reading, angle, copied;
+// terms, cable, chain, layout, quadrature, jet, candidate, entries, observation, mistake.
 mod ancestors;
 mod angle;
+mod cable;
 mod candidate;
 mod chain;
 mod copied;
@@ -20,6 +21,7 @@ mod gradient;
 mod heat;
 mod inertia;
 mod integral;
+mod jet;
 mod law;
 mod layout;
 mod mistake;

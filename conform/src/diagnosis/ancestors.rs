@@ -21,6 +21,8 @@ use crate::suite::{Case, Reference, State};
 
 /// Largest number of mistakes that are named for an ancestor.
 const MOST_NAMED: usize = 3;
+/// Largest number of mistakes that are tried as the first of two.
+const MOST_FIRST: usize = 6;
 /// Factors that terms of an earlier quantity are often wrong by.
 const FACTORS: [f64; 12] = [-1.0, 0.0, 2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3.0, 1.5, 2.0 / 3.0, -2.0, -0.5];
 /// A wrong value counts as right if it differs by this share of its largest entry at most.
@@ -83,17 +85,22 @@ pub fn ancestors(culprit: &'static str, seen: &Seen, is_right: impl Fn(&str) -> 
     // The force may also be computed from stresses, which the paper does not do.
     let by_stress = chain::ancestors(culprit).into_iter().filter(is_possible);
     let roots: BTreeSet<&'static str> = in_graph.iter().copied().chain(by_stress).collect();
-    let mut found = fitting(culprit, &roots, seen);
+    let Fitting { mut mistakes, together } = fitting(culprit, &roots, seen);
     let tags = common_tags(observations);
     let mut all: Vec<Ancestor> = Vec::new();
     for quantity in &roots {
-        let mistakes = found.remove(quantity).unwrap_or_default();
+        let mistakes = mistakes.remove(quantity).unwrap_or_default();
         let shown: Vec<&str> = (SHOWN_BY.iter())
             .filter(|(name, _)| name == quantity)
             .flat_map(|(_, tags)| tags.iter().copied())
             .filter(|tag| tags.iter().any(|common| common == tag))
             .collect();
-        let speaks = if !mistakes.is_empty() {
+        let speaks = if !mistakes.is_empty() && together {
+            format!(
+                "explains all {} answers of {culprit} together with a mistake in another ancestor",
+                observations.len()
+            )
+        } else if !mistakes.is_empty() {
             format!("explains all {} answers of {culprit} and what else is answered", observations.len())
         } else if !shown.is_empty() {
             format!("only states tagged {} fail, where it matters", shown.join(", "))
@@ -134,136 +141,189 @@ fn is_excluded(quantity: &str, observations: &[Observation]) -> bool {
     quantity == "8.epsilon_T" && observations.iter().filter(failing).any(unheated)
 }
 
-/// Mistakes by root that explain all answers to the culprit, and to all other quantities that they change.
-fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -> BTreeMap<&'static str, Vec<Mistake>> {
-    let families: Vec<&'static [&'static str]> =
-        FAMILIES.into_iter().filter(|family| family.iter().all(|root| roots.contains(root))).collect();
-    let mut judged: Vec<(&'static str, &Observation)> = Vec::new();
-    for (quantity, observations) in seen {
-        if find(quantity).is_some() {
-            judged.extend(observations.iter().map(|observation| (*quantity, observation)));
+/// Mistakes by root that explain all answers.
+#[derive(Default)]
+struct Fitting {
+    mistakes: BTreeMap<&'static str, Vec<Mistake>>,
+    /// Whether they are two mistakes at once.
+    together: bool,
+}
+
+impl Fitting {
+    fn of(keys: impl IntoIterator<Item = Key>, together: bool) -> Fitting {
+        let mut mistakes: BTreeMap<&'static str, Vec<Mistake>> = BTreeMap::new();
+        for (members, _, mistake) in keys {
+            if let Some(root) = members.first() {
+                mistakes.entry(root).or_default().push(mistake);
+            }
         }
+        for mistakes in mistakes.values_mut() {
+            mistakes.sort();
+            mistakes.dedup();
+            mistakes.truncate(MOST_NAMED);
+        }
+        Fitting { mistakes, together }
     }
+}
+
+/// Mistakes that explain all answers to the culprit, and to all other quantities that they change.
+fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -> Fitting {
+    let mut search = Search::new(culprit, roots);
+    let is_number = |observation: &&Observation| matches!(observation.outcome, Outcome::Right | Outcome::Wrong(_));
+    let mut judged: Vec<(&'static str, &Observation)> = (seen.iter())
+        .flat_map(|(quantity, all)| all.iter().filter(is_number).map(|observation| (*quantity, observation)))
+        .collect();
     // Failing answers to the culprit come first because they exclude most mistakes; those with many tags show most.
     judged.sort_by_key(|(quantity, observation)| {
-        let wrong = matches!(observation.outcome, Outcome::Wrong(_));
-        (*quantity != culprit, !wrong, std::cmp::Reverse(observation.case.tags.len()), *quantity)
+        let right = observation.outcome == Outcome::Right;
+        (*quantity != culprit, right, std::cmp::Reverse(observation.case.tags.len()), *quantity)
     });
-    let mut wanted: Option<BTreeSet<Key>> = None;
-    let mut chains: BTreeMap<&str, Option<InCase>> = BTreeMap::new();
-    for (quantity, observation) in judged {
-        // Answers without numbers are no evidence.
-        if matches!(observation.outcome, Outcome::Fault(_) | Outcome::Refused(_)) {
-            continue;
-        }
-        let in_case = chains.entry(&observation.case.id).or_insert_with(|| InCase::new(observation.case));
-        let (Some(in_case), Some(reference)) = (in_case, observation.case.values.get(quantity)) else { continue };
-        if wanted.as_ref().is_none_or(|wanted| !in_case.knows(wanted)) {
-            in_case.add(roots, &families, wanted.as_ref());
-        }
-        let keys: Vec<&Key> = match &wanted {
-            Some(wanted) => wanted.iter().collect(),
-            None => in_case.changes.keys().collect(),
-        };
-        let fits = |key: &&&Key| {
-            let values = in_case.changes.get(key).and_then(Option::as_ref);
-            let value = values.and_then(|values| in_case.chain.value(quantity, values));
-            let is_changed = quantity == culprit || value.is_some();
-            !is_changed || explains(value.as_deref().or(Some(&reference.numbers)), observation.outcome, reference)
-        };
-        let fitting: BTreeSet<Key> = keys.iter().filter(fits).map(|key| (*key).clone()).collect();
+    let Some(((_, first), _)) = judged.split_first() else { return Fitting::default() };
+    let all = search.keys_of(first.case);
+    let mut fitting = all.clone();
+    for (quantity, observation) in &judged {
+        fitting.retain(|key| search.explains(quantity, observation, &[key]));
         if fitting.is_empty() {
-            return BTreeMap::new();
-        }
-        wanted = Some(fitting);
-    }
-    let mut by_root: BTreeMap<&'static str, Vec<Mistake>> = BTreeMap::new();
-    for (members, _, mistake) in wanted.into_iter().flatten() {
-        if let Some(root) = members.first() {
-            by_root.entry(root).or_default().push(mistake);
+            break;
         }
     }
-    for mistakes in by_root.values_mut() {
-        mistakes.sort();
-        mistakes.dedup();
-        mistakes.truncate(MOST_NAMED);
+    if !fitting.is_empty() {
+        return Fitting::of(fitting, false);
     }
-    by_root
+    // Two mistakes: one alone explains the failing answer with the fewest tags.
+    let mut of_culprit: Vec<&Observation> = (judged.iter())
+        .filter(|(quantity, observation)| *quantity == culprit && observation.outcome != Outcome::Right)
+        .map(|(_, observation)| *observation)
+        .collect();
+    of_culprit.sort_by_key(|observation| observation.case.tags.len());
+    let Some(simplest) = of_culprit.first() else { return Fitting::default() };
+    let alone: Vec<Key> =
+        all.iter().filter(|key| search.explains(culprit, simplest, &[*key])).take(MOST_FIRST).cloned().collect();
+    for one in &alone {
+        let Some(other) = of_culprit.iter().find(|o| !search.explains(culprit, o, &[one])) else { continue };
+        let apart = |two: &&Key| two.0.iter().all(|member| !one.0.contains(member));
+        let partners: Vec<&Key> =
+            all.iter().filter(apart).filter(|two| search.explains(culprit, other, &[one, *two])).collect();
+        for two in partners {
+            if judged.iter().all(|(quantity, observation)| search.explains(*quantity, observation, &[one, two])) {
+                return Fitting::of([one.clone(), two.clone()], true);
+            }
+        }
+    }
+    Fitting::default()
 }
+
+/// Judges mistakes; remembers the wrong values of each case.
+struct Search<'a> {
+    culprit: &'static str,
+    roots: &'a BTreeSet<&'static str>,
+    cases: BTreeMap<String, Option<InCase>>,
+}
+
+impl<'a> Search<'a> {
+    fn new(culprit: &'static str, roots: &'a BTreeSet<&'static str>) -> Search<'a> {
+        Search { culprit, roots, cases: BTreeMap::new() }
+    }
+
+    fn in_case(&mut self, case: &Case) -> Option<&mut InCase> {
+        self.cases.entry(case.id.clone()).or_insert_with(|| InCase::new(case)).as_mut()
+    }
+
+    /// All mistakes that have a value in a case.
+    fn keys_of(&mut self, case: &Case) -> BTreeSet<Key> {
+        let roots = self.roots;
+        let Some(in_case) = self.in_case(case) else { return BTreeSet::new() };
+        let families = FAMILIES.iter().filter(|family| family.iter().all(|root| roots.contains(root)));
+        let members: Vec<&'static [&'static str]> =
+            roots.iter().filter_map(|root| singleton(root)).chain(families.copied()).collect();
+        let mut keys = BTreeSet::new();
+        for members in members {
+            for mistake in in_case.mistakes_of(case, members) {
+                keys.insert((members, false, mistake.clone()));
+                // J_0 follows from the shape functions, or θ is used in its place.
+                if members.iter().any(|member| member.starts_with("3.S_")) {
+                    keys.insert((members, true, mistake));
+                }
+            }
+        }
+        keys
+    }
+
+    /// Whether mistakes, made at once, explain an answer. Those that do not change the quantity explain any but the culprit's.
+    fn explains(&mut self, quantity: &'static str, observation: &Observation, keys: &[&Key]) -> bool {
+        let (culprit, case) = (self.culprit, observation.case);
+        let Some(reference) = case.values.get(quantity) else { return true };
+        let Some(in_case) = self.in_case(case) else { return quantity != culprit };
+        let mut replaced = Values::new();
+        for key in keys {
+            let Some(values) = in_case.values(case, key) else { return false };
+            replaced.extend(values);
+        }
+        match in_case.chain.value(quantity, &replaced) {
+            Some(value) => explains(Some(&value), observation.outcome, reference),
+            None => quantity != culprit || explains(Some(&reference.numbers), observation.outcome, reference),
+        }
+    }
+}
+
+/// Wrong value of a root by mistake; `None` where a mistake changes nothing.
+type WrongValues = BTreeMap<Mistake, Option<Rc<Vec<f64>>>>;
 
 /// Wrong values of roots in one case.
-struct InCase<'a> {
-    case: &'a Case,
+struct InCase {
     chain: Chain,
-    /// Changed values by mistake; `None` for a mistake that changes nothing here.
-    changes: BTreeMap<Key, Option<Values>>,
+    wrong: BTreeMap<&'static str, WrongValues>,
 }
 
-impl<'a> InCase<'a> {
-    fn new(case: &'a Case) -> Option<InCase<'a>> {
+impl InCase {
+    fn new(case: &Case) -> Option<InCase> {
         match &case.state {
-            State::Element(state) => Some(InCase { case, chain: Chain::new(state), changes: BTreeMap::new() }),
+            State::Element(state) => Some(InCase { chain: Chain::new(state), wrong: BTreeMap::new() }),
             _ => None,
         }
     }
 
-    fn knows(&self, wanted: &BTreeSet<Key>) -> bool {
-        wanted.iter().all(|key| self.changes.contains_key(key))
+    /// Mistakes that all members have in common.
+    fn mistakes_of(&mut self, case: &Case, members: &'static [&'static str]) -> Vec<Mistake> {
+        for member in members {
+            if !self.wrong.contains_key(member) {
+                let wrong = self.wrong_values(case, member, |_| true);
+                self.wrong.insert(member, wrong);
+            }
+        }
+        let Some(first) = members.first().and_then(|member| self.wrong.get(member)) else { return Vec::new() };
+        let is_common = |mistake: &&Mistake| {
+            members.iter().all(|member| self.wrong.get(member).is_some_and(|wrong| wrong.contains_key(mistake)))
+        };
+        first.keys().filter(is_common).cloned().collect()
     }
 
-    /// Adds the wrong values of all roots and families, or of the wanted mistakes only.
-    fn add(
-        &mut self,
-        roots: &BTreeSet<&'static str>,
-        families: &[&'static [&'static str]],
-        wanted: Option<&BTreeSet<Key>>,
-    ) {
-        let mut of_root: BTreeMap<&'static str, BTreeMap<Mistake, Option<Rc<Vec<f64>>>>> = BTreeMap::new();
-        for root in roots {
-            let is_wanted = |mistake: &Mistake| {
-                wanted.is_none_or(|wanted| wanted.iter().any(|(of, _, m)| of.contains(root) && m == mistake))
+    /// Wrong values of a mistake, empty where it changes nothing; `None` if it has no value.
+    fn values(&mut self, case: &Case, (members, by_angle, mistake): &Key) -> Option<Values> {
+        let mut values = Values::new();
+        for member in *members {
+            let known = self.wrong.get(member).and_then(|wrong| wrong.get(mistake)).cloned();
+            let value = match known {
+                Some(value) => value,
+                None => {
+                    let mut wrong = self.wrong_values(case, member, |other| other == mistake);
+                    let value = wrong.remove(mistake)?;
+                    self.wrong.entry(member).or_default().insert(mistake.clone(), value.clone());
+                    value
+                }
             };
-            of_root.insert(root, self.wrong_values(root, is_wanted));
+            values.extend(value.map(|value| (*member, value)));
         }
-        let mut changes: Vec<(Key, Option<Values>)> = Vec::new();
-        for (root, wrong) in &of_root {
-            let Some(members) = singleton(root) else { continue };
-            for (mistake, value) in wrong {
-                let values = value.as_ref().map(|value| Values::from([(*root, Rc::clone(value))]));
-                changes.push(((members, false, mistake.clone()), values));
-            }
+        if *by_angle && !values.is_empty() {
+            values.insert("9.J_0", self.chain.right("9.J_0")?);
         }
-        for family in families {
-            let Some(first) = family.first().and_then(|root| of_root.get(root)) else { continue };
-            for mistake in first.keys() {
-                let of_all: Option<Vec<_>> =
-                    family.iter().map(|root| Some((*root, of_root.get(root)?.get(mistake)?.clone()))).collect();
-                let Some(of_all) = of_all else { continue };
-                let values: Values = of_all.into_iter().filter_map(|(root, value)| Some((root, value?))).collect();
-                changes.push(((family, false, mistake.clone()), (!values.is_empty()).then_some(values)));
-            }
-        }
-        for ((members, _, mistake), values) in changes {
-            // J_0 follows from the shape functions, or θ is used in its place.
-            if members.iter().any(|member| member.starts_with("3.S_")) {
-                let by_angle = values.clone().and_then(|mut values| {
-                    values.insert("9.J_0", self.chain.right("9.J_0")?);
-                    Some(values)
-                });
-                self.changes.insert((members, true, mistake.clone()), by_angle);
-            }
-            self.changes.insert((members, false, mistake), values);
-        }
+        Some(values)
     }
 
-    /// Wrong values of a root, at all points; `None` where a mistake changes nothing.
-    fn wrong_values(
-        &self,
-        root: &'static str,
-        is_wanted: impl Fn(&Mistake) -> bool,
-    ) -> BTreeMap<Mistake, Option<Rc<Vec<f64>>>> {
-        let mut wrong = BTreeMap::new();
-        let Some(case) = self.everywhere(root) else { return wrong };
+    /// Wrong values of a root, at all points.
+    fn wrong_values(&self, case: &Case, root: &'static str, is_wanted: impl Fn(&Mistake) -> bool) -> WrongValues {
+        let mut wrong = WrongValues::new();
+        let Some(case) = self.everywhere(case, root) else { return wrong };
         let Some(reference) = case.values.get(root) else { return wrong };
         let right = &reference.numbers;
         let size = right.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
@@ -292,14 +352,14 @@ impl<'a> InCase<'a> {
     }
 
     /// The case with the root's reference value at all points of the chain, and what may be mistaken for it.
-    fn everywhere(&self, root: &'static str) -> Option<Case> {
+    fn everywhere(&self, case: &Case, root: &'static str) -> Option<Case> {
         let state = &self.chain.everywhere;
-        let own = self.case.values.get(root)?;
-        let mut values: BTreeMap<String, Reference> = (self.case.values.iter())
+        let own = case.values.get(root)?;
+        let mut values: BTreeMap<String, Reference> = (case.values.iter())
             .filter(|(_, value)| !value.per_point)
             .map(|(name, value)| (name.clone(), value.clone()))
             .collect();
-        let alike = self.case.values.iter().filter(|(_, value)| value.per_point && value.shape == own.shape);
+        let alike = case.values.iter().filter(|(_, value)| value.per_point && value.shape == own.shape);
         for (name, value) in alike {
             let Some(node) = find(name) else { continue };
             let numbers = self.chain.right(node.quantity)?.to_vec();
@@ -311,9 +371,9 @@ impl<'a> InCase<'a> {
             values.insert(name.clone(), Reference { shape, numbers, absolute, ..value.clone() });
         }
         Some(Case {
-            id: self.case.id.clone(),
-            tags: self.case.tags.clone(),
-            state_json: self.case.state_json.clone(),
+            id: case.id.clone(),
+            tags: case.tags.clone(),
+            state_json: case.state_json.clone(),
             state: State::Element(Box::new(state.clone())),
             values,
         })

@@ -10,11 +10,13 @@ use super::candidate::Candidate;
 use super::entries::wrong_entries;
 use super::mistake::{Mistake, MistakeKind};
 use super::observation::{LOOSE, Observation, Outcome, distance};
-use super::{angle, copied, errata, factors, gradient, heat, inertia, integral, law, layout, reading};
+use super::{angle, cable, copied, errata, factors, gradient, heat, inertia, integral, law, layout, reading};
 use crate::suite::{Case, Reference, State};
 
 /// Largest number of mistakes that are named.
 const MOST_NAMED: usize = 3;
+/// Smallest number of failing cases from which one of two mistakes is told.
+const LEAST_OF_TWO: usize = 2;
 /// Number of correct digits from which a wrong answer counts as the right formula, computed imprecisely.
 const IMPRECISE_DIGITS: i32 = 6;
 
@@ -24,6 +26,8 @@ pub struct Diagnosis {
     /// Mistakes that explain all answers that are numbers, likelier ones first; at most three. Empty if no known mistake does.
     #[serde(rename = "kinds")]
     pub mistakes: Vec<Mistake>,
+    /// Whether these are two mistakes at once, in different states. Otherwise each explains all answers.
+    pub together: bool,
     /// Tags that all failing cases have and no right one.
     pub only_where: Vec<String>,
     /// Indices of the wrong entries, such as (3, 7), counted from 1. Empty for a number and for more than four entries.
@@ -42,8 +46,13 @@ pub fn diagnose(quantity: &str, observations: &[Observation]) -> Diagnosis {
             *without_numbers.entry(fault.word()).or_default() += 1;
         }
     }
+    let (mistakes, together) = match mistakes(quantity, observations) {
+        none if none.is_empty() => two_mistakes(quantity, observations).map_or((none, false), |two| (two.into(), true)),
+        mistakes => (mistakes, false),
+    };
     Diagnosis {
-        mistakes: mistakes(quantity, observations),
+        mistakes,
+        together,
         only_where: common_tags(observations),
         entries: wrong_entries(quantity, observations),
         failing: observations.iter().filter(|o| o.outcome != Outcome::Right).count(),
@@ -77,6 +86,28 @@ fn mistakes(quantity: &str, observations: &[Observation]) -> Vec<Mistake> {
     found
 }
 
+/// Two mistakes in different states: one explains the failing cases with some tag, the other one those without it.
+fn two_mistakes(quantity: &str, observations: &[Observation]) -> Option<[Mistake; 2]> {
+    let (right, failing): (Vec<Observation>, Vec<Observation>) =
+        observations.iter().partition(|observation| observation.outcome == Outcome::Right);
+    let tags: BTreeSet<&String> = failing.iter().flat_map(|observation| &observation.case.tags).collect();
+    tags.into_iter().find_map(|tag| {
+        let (with, without): (Vec<Observation>, Vec<Observation>) =
+            failing.iter().partition(|observation| observation.case.tags.contains(tag));
+        if with.len().min(without.len()) < LEAST_OF_TWO {
+            return None;
+        }
+        let first = |part: &[Observation]| {
+            let mistake = mistakes(quantity, &[part, &right].concat()).into_iter().next()?;
+            (mistake.kind != MistakeKind::Digits).then_some(mistake)
+        };
+        let (one, two) = (first(&with)?, first(&without)?);
+        let tagged =
+            |mistake: Mistake, words: &str| Mistake { what: format!("{}, {words} {tag}", mistake.what), ..mistake };
+        Some([tagged(one, "in states tagged"), tagged(two, "in states not tagged")])
+    })
+}
+
 /// Candidates that explain every answer.
 fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> {
     let mut found: Option<BTreeSet<Mistake>> = None;
@@ -100,6 +131,9 @@ pub(super) fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a R
     let mut all = errata::of(quantity, case);
     all.extend(layout::of(reference));
     all.extend(copied::of(quantity, case, reference));
+    if let State::Cable(state) = &case.state {
+        all.extend(cable::of(quantity, state));
+    }
     if let State::Element(state) = &case.state {
         type Of = for<'a> fn(&'a str, &'a ElementState) -> Vec<Candidate<'a>>;
         let all_of: [Of; 7] = [angle::of, heat::of, law::of, gradient::of, inertia::of, integral::of, reading::of];

@@ -311,7 +311,9 @@ fn diagnosis_text(diagnosis: &Diagnosis) -> String {
         .map(|mistake| format!("{} ({})", mistake.kind.word(), cell(&mistake.what)))
         .collect();
     if !mistakes.is_empty() {
-        sentences.push(format!("Explained by: {}.", mistakes.join("; or ")));
+        let (how, between) =
+            if diagnosis.together { ("Explained by two mistakes", "; and ") } else { ("Explained by", "; or ") };
+        sentences.push(format!("{how}: {}.", mistakes.join(between)));
     } else if silent < *failing {
         sentences.push("No known mistake gives these answers.".into());
     }
