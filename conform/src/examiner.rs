@@ -20,6 +20,9 @@ use crate::verdict::{Fault, Verdict, Wrong};
 /// Number of times that a program may hang or crash at a quantity before the rest of its cases is skipped.
 const PATIENCE: usize = 3;
 
+/// An answer with fewer correct digits is wrong by more than rounding.
+const CLEARLY_WRONG: f64 = 8.0;
+
 /// Options of an examination.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
@@ -109,10 +112,13 @@ fn ancestors_of(
     numbers.map(|culprit| (culprit.quantity, ancestors(culprit.quantity, &seen, is_right))).collect()
 }
 
-/// First failing case of each quantity that fails.
+/// First failing case of each quantity that fails; one that fails by more than rounding if there is one.
 fn first_failing(verdicts: &[(&'static str, Vec<CaseVerdict>)]) -> Vec<(&'static str, usize)> {
+    let clearly = |verdict: &Verdict| verdict.fails() && verdict.digits().is_none_or(|digits| digits < CLEARLY_WRONG);
     let failing = |(quantity, cases): &(&'static str, Vec<CaseVerdict>)| {
-        cases.iter().find(|(_, verdict)| verdict.fails()).map(|(n, _)| (*quantity, *n))
+        let clear = cases.iter().find(|(_, verdict)| clearly(verdict));
+        let (n, _) = clear.or_else(|| cases.iter().find(|(_, verdict)| verdict.fails()))?;
+        Some((*quantity, *n))
     };
     verdicts.iter().filter_map(failing).collect()
 }
