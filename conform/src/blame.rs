@@ -78,8 +78,11 @@ pub struct Blame {
     pub silent: Vec<&'static str>,
 }
 
+/// Inputs that a program does not read from `given`, by quantity.
+pub type Unread = BTreeMap<&'static str, Vec<&'static str>>;
+
 /// Separates culprits from followers, from the inputs on.
-pub fn blame(statuses: &BTreeMap<&str, Status>) -> Blame {
+pub fn blame(statuses: &BTreeMap<&str, Status>, unread: &Unread) -> Blame {
     let mut blame = Blame::default();
     for node in GRAPH {
         let (numbers, with_given) = match statuses.get(node.quantity) {
@@ -95,10 +98,12 @@ pub fn blame(statuses: &BTreeMap<&str, Status>) -> Blame {
         let wrong_inner = node.inner.iter().find_map(|input| wrong_at_or_before(input, statuses, faults_count));
         let wrong_given = node.given.iter().find_map(|input| wrong_at_or_before(input, statuses, faults_count));
         let used = matches!(with_given, WithGiven::Right | WithGiven::Wrong);
-        // Reference inputs that were used are no excuse.
+        let wrong_unread = (unread.get(node.quantity).into_iter().flatten())
+            .find_map(|input| wrong_at_or_before(input, statuses, faults_count));
+        // Reference inputs that were used are no excuse; inputs that the program computes itself are.
         let excuse = match (wrong_inner, wrong_given, with_given) {
             (Some(input), _, _) => Some(input),
-            (None, Some(_), WithGiven::Wrong) => None,
+            (None, Some(_), WithGiven::Wrong) => wrong_unread,
             (None, input, _) => input,
         };
         match excuse {
@@ -182,12 +187,15 @@ mod tests {
 
     #[test]
     fn a_program_without_mistakes_has_nothing_to_blame() {
-        assert_eq!(blame(&statuses(&[])), Blame::default());
+        assert_eq!(blame(&statuses(&[]), &Unread::new()), Blame::default());
     }
 
     #[test]
     fn the_first_wrong_quantity_is_the_culprit_and_the_others_follow() {
-        let blame = blame(&statuses(&[("11.S_a", WRONG), ("13.epsilon_1", WRONG), ("21.K_1", WRONG), ("20.K", WRONG)]));
+        let blame = blame(
+            &statuses(&[("11.S_a", WRONG), ("13.epsilon_1", WRONG), ("21.K_1", WRONG), ("20.K", WRONG)]),
+            &Unread::new(),
+        );
         assert_eq!(culprits(&blame), ["11.S_a"]);
         assert_eq!(follow(&blame), [("13.epsilon_1", "11.S_a"), ("21.K_1", "11.S_a"), ("20.K", "21.K_1")]);
         assert!(blame.culprits[0].because.contains("3.S_x"), "{blame:?}");
@@ -197,7 +205,10 @@ mod tests {
     fn given_values_reveal_a_second_mistake() {
         let still = wrong(WithGiven::Wrong);
         let cured = wrong(WithGiven::Right);
-        let blame = blame(&statuses(&[("9.J", WRONG), ("10.epsilon_m", still), ("17.mu", WRONG), ("16.D", cured)]));
+        let blame = blame(
+            &statuses(&[("9.J", WRONG), ("10.epsilon_m", still), ("17.mu", WRONG), ("16.D", cured)]),
+            &Unread::new(),
+        );
         assert_eq!(culprits(&blame), ["9.J", "10.epsilon_m", "17.mu"]);
         assert_eq!(follow(&blame), [("16.D", "17.mu")]);
     }
@@ -205,14 +216,14 @@ mod tests {
     #[test]
     fn given_values_that_are_not_used_remain_an_excuse() {
         let same = wrong(WithGiven::Same);
-        let blame = blame(&statuses(&[("7.M", WRONG), ("6.T", same)]));
+        let blame = blame(&statuses(&[("7.M", WRONG), ("6.T", same)]), &Unread::new());
         assert_eq!(culprits(&blame), ["7.M"]);
     }
 
     #[test]
     fn a_quadrature_is_not_blamed_for_what_it_integrates() {
         let still = wrong(WithGiven::Wrong);
-        let blame = blame(&statuses(&[("11.S_c", WRONG), ("21.K_3", still)]));
+        let blame = blame(&statuses(&[("11.S_c", WRONG), ("21.K_3", still)]), &Unread::new());
         assert_eq!(culprits(&blame), ["11.S_c"]);
     }
 
@@ -220,7 +231,7 @@ mod tests {
     fn inputs_that_are_not_implemented_are_looked_through() {
         let unknown =
             ["20.K", "21.K_1", "21.K_2", "21.K_3", "21.S_c1", "21.S_a1", "21.S_b1"].map(|q| (q, Status::Unknown));
-        let with = |wrong: &[(&'static str, Status)]| blame(&statuses(&[&unknown[..], wrong].concat()));
+        let with = |wrong: &[(&'static str, Status)]| blame(&statuses(&[&unknown[..], wrong].concat()), &Unread::new());
         assert_eq!(culprits(&with(&[("11.S_c", WRONG), ("19.Q_e", WRONG)])), ["11.S_c"]);
         let alone = with(&[("19.Q_e", WRONG)]);
         assert_eq!(culprits(&alone), ["19.Q_e"]);
@@ -230,24 +241,24 @@ mod tests {
     #[test]
     fn a_quantity_that_is_right_only_with_given_values_is_a_culprit() {
         let cured = wrong(WithGiven::Right);
-        let blame = blame(&statuses(&[("19.Q_e", cured)]));
+        let blame = blame(&statuses(&[("19.Q_e", cured)]), &Unread::new());
         assert_eq!(culprits(&blame), ["19.Q_e"]);
         assert!(blame.culprits[0].because.contains("it uses other values internally"), "{blame:?}");
     }
 
     #[test]
     fn a_quantity_without_numbers_is_no_culprit_and_no_excuse() {
-        let silent = blame(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", WRONG)]));
+        let silent = blame(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", WRONG)]), &Unread::new());
         assert_eq!((silent.silent.as_slice(), culprits(&silent)), (&["11.S_a"][..], vec!["13.epsilon_1"]));
         assert!(silent.culprits[0].because.ends_with("may be there: 11.S_a"), "{silent:?}");
         let faulty = Status::Wrong { numbers: false, with_given: WithGiven::NotTried };
         assert_eq!(
-            culprits(&blame(&statuses(&[("11.S_a", faulty), ("13.epsilon_1", WRONG)]))),
+            culprits(&blame(&statuses(&[("11.S_a", faulty), ("13.epsilon_1", WRONG)]), &Unread::new())),
             ["11.S_a", "13.epsilon_1"]
         );
         // Faults explain faults, and quantities that are right with given values.
         for follower in [faulty, wrong(WithGiven::Right)] {
-            let found = blame(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", follower)]));
+            let found = blame(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", follower)]), &Unread::new());
             assert_eq!((culprits(&found), follow(&found)), (vec![], vec![("13.epsilon_1", "11.S_a")]));
         }
     }
@@ -255,7 +266,7 @@ mod tests {
     #[test]
     fn cases_that_could_not_be_asked_again_are_counted() {
         let because = |cured| {
-            let found = blame(&statuses(&[("19.Q_e", wrong(WithGiven::Partly { cured, unasked: 3 }))]));
+            let found = blame(&statuses(&[("19.Q_e", wrong(WithGiven::Partly { cured, unasked: 3 }))]), &Unread::new());
             found.culprits[0].because.clone()
         };
         assert_eq!(

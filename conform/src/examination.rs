@@ -6,7 +6,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::blame::Blame;
-use crate::diagnosis::Diagnosis;
+use crate::diagnosis::{Ancestor, Diagnosis};
+use crate::memory::Memory;
 use crate::protocol::Hello;
 use crate::subject::Chatter;
 use crate::verdict::{Fault, Verdict};
@@ -31,6 +32,12 @@ pub struct Examination {
     pub blame: Blame,
     /// Diagnosis of each culprit.
     pub diagnoses: BTreeMap<&'static str, Diagnosis>,
+    /// Earlier quantities that each culprit's mistake may be in, although they are not answered, likeliest first.
+    pub ancestors: BTreeMap<&'static str, Vec<Ancestor>>,
+    /// Evidence that answers depend on what was asked before; `None` if none was found.
+    pub memory: Option<Memory>,
+    /// Quantities for which the program does not read any value that it is given, although it says that it does.
+    pub given_ignored: Vec<&'static str>,
     /// Number of times that the program was started.
     pub starts: usize,
     /// Number of questions.
@@ -70,10 +77,13 @@ impl InvalidOutcome {
 }
 
 impl Examination {
-    /// Whether nothing failed and something is implemented.
+    /// Whether nothing failed, no answer changed when it was asked for again, and something is implemented.
     pub fn passes(&self) -> bool {
         let failing = self.verdicts.iter().flat_map(|(_, cases)| cases).any(|(_, verdict)| verdict.fails());
-        !failing && !self.invalid.iter().any(|verdict| verdict.outcome.fails()) && self.implemented() > 0
+        !failing
+            && self.memory.is_none()
+            && !self.invalid.iter().any(|verdict| verdict.outcome.fails())
+            && self.implemented() > 0
     }
 
     /// Name of the program; what it is called otherwise if it did not answer `hello`.

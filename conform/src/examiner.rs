@@ -7,16 +7,21 @@ use serde_json::Value;
 
 use crate::answers::{Answers, CaseAnswer, judged};
 use crate::blame::{Blame, Status, WithGiven, blame};
-use crate::diagnosis::{Observation, Outcome, diagnose};
+use crate::diagnosis::{Ancestor, Observation, Outcome, Seen, ancestors, diagnose};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
+use crate::given::unread;
 use crate::graph::{GRAPH, Node};
+use crate::memory::Repetition;
 use crate::protocol::{Answer, Asked, Hello, announcement};
 use crate::subject::Subject;
-use crate::suite::{InvalidCase, Suite};
+use crate::suite::{Case, InvalidCase, Suite};
 use crate::verdict::{Fault, Verdict, Wrong};
 
 /// Number of times that a program may hang or crash at a quantity before the rest of its cases is skipped.
 const PATIENCE: usize = 3;
+
+/// An answer with fewer correct digits is wrong by more than rounding.
+const CLEARLY_WRONG: f64 = 8.0;
 
 /// Options of an examination.
 #[derive(Clone, Copy, Debug)]
@@ -42,14 +47,29 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let answers = examiner.answers(&progress);
     let invalid = examiner.invalid();
     let verdicts = answers.judged(suite);
-    let again: BTreeMap<&str, Vec<CaseVerdict>> = (verdicts.iter().zip(GRAPH))
+    let failing = first_failing(&verdicts);
+    let mut memory = examiner.repeat(&answers, |repetition| repetition.memory(&failing)).flatten();
+    // Second answers of a program with memory depend on the first ones.
+    let accepts_given = accepts_given && memory.is_none();
+    let mut again: BTreeMap<&str, Vec<CaseVerdict>> = (verdicts.iter().zip(GRAPH))
         .filter(|((_, cases), node)| accepts_given && !node.given.is_empty() && any(cases, Verdict::fails))
         .map(|((quantity, cases), node)| (*quantity, examiner.with_given(node, cases)))
         .collect();
+    let unread = examiner.unread(&verdicts, &again);
+    let given_ignored: Vec<&'static str> = (GRAPH.iter())
+        .filter(|node| unread.get(node.quantity).is_some_and(|unread| unread.len() == node.given.len()))
+        .map(|node| node.quantity)
+        .collect();
+    // Values that were not read are no evidence.
+    again.retain(|quantity, _| !given_ignored.contains(quantity));
     let again = |quantity: &str| again.get(quantity).map(Vec::as_slice);
-    let statuses = verdicts.iter().map(|(quantity, cases)| (*quantity, status(cases, again(quantity)))).collect();
+    let statuses: BTreeMap<&str, Status> =
+        verdicts.iter().map(|(quantity, cases)| (*quantity, status(cases, again(quantity)))).collect();
     // A program that was not asked has no wrong equation.
-    let blame = if examiner.hello.is_ok() { blame(&statuses) } else { Blame::default() };
+    let mut blame = if examiner.hello.is_ok() { blame(&statuses, &unread) } else { Blame::default() };
+    if let Some(memory) = &mut memory {
+        examiner.repeat(&answers, |repetition| repetition.acquit(memory, &mut blame, &failing));
+    }
     let culprits = blame.culprits.iter().filter_map(|culprit| {
         let (quantity, cases) = verdicts.iter().find(|(quantity, _)| *quantity == culprit.quantity)?;
         // Answers to reference inputs show the quantity's own mistake alone.
@@ -57,6 +77,7 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
         Some((*quantity, diagnose(quantity, &observations(suite, cases, own))))
     });
     let diagnoses = culprits.collect();
+    let ancestors = ancestors_of(suite, &blame, &verdicts, &statuses);
     progress(1.0);
     Examination {
         description: examiner.subject.description(),
@@ -69,7 +90,37 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
         invalid,
         blame,
         diagnoses,
+        ancestors,
+        memory,
+        given_ignored,
     }
+}
+
+/// Earlier quantities that each culprit's mistake may be in, although they are not answered.
+fn ancestors_of(
+    suite: &Suite,
+    blame: &Blame,
+    verdicts: &[(&'static str, Vec<CaseVerdict>)],
+    statuses: &BTreeMap<&str, Status>,
+) -> BTreeMap<&'static str, Vec<Ancestor>> {
+    let seen: Seen = (verdicts.iter())
+        .map(|(quantity, cases)| (*quantity, observations(suite, cases, &[])))
+        .filter(|(_, observations)| !observations.is_empty())
+        .collect();
+    let is_right = |quantity: &str| statuses.get(quantity) == Some(&Status::Right);
+    let numbers = blame.culprits.iter().filter(|culprit| culprit.numbers);
+    numbers.map(|culprit| (culprit.quantity, ancestors(culprit.quantity, &seen, is_right))).collect()
+}
+
+/// First failing case of each quantity that fails; one that fails by more than rounding if there is one.
+fn first_failing(verdicts: &[(&'static str, Vec<CaseVerdict>)]) -> Vec<(&'static str, usize)> {
+    let clearly = |verdict: &Verdict| verdict.fails() && verdict.digits().is_none_or(|digits| digits < CLEARLY_WRONG);
+    let failing = |(quantity, cases): &(&'static str, Vec<CaseVerdict>)| {
+        let clear = cases.iter().find(|(_, verdict)| clearly(verdict));
+        let (n, _) = clear.or_else(|| cases.iter().find(|(_, verdict)| verdict.fails()))?;
+        Some((*quantity, *n))
+    };
+    verdicts.iter().filter_map(failing).collect()
 }
 
 fn any(cases: &[CaseVerdict], wanted: fn(&Verdict) -> bool) -> bool {
@@ -188,6 +239,33 @@ impl<'a> Examiner<'a> {
             Some((*n, self.ask(node.quantity, &case.state_json, case.given(node.given))))
         });
         judged(suite, node.quantity, &again.collect::<Vec<_>>())
+    }
+
+    /// Inputs that the program does not read from `given`, for quantities that remain wrong with reference inputs.
+    fn unread(
+        &mut self,
+        verdicts: &[(&'static str, Vec<CaseVerdict>)],
+        again: &BTreeMap<&str, Vec<CaseVerdict>>,
+    ) -> BTreeMap<&'static str, Vec<&'static str>> {
+        let suite = self.suite;
+        let mut all = BTreeMap::new();
+        for ((quantity, cases), node) in verdicts.iter().zip(GRAPH) {
+            let Some(again) = again.get(quantity) else { continue };
+            if any(again, Verdict::fails) && matches!(with_given(cases, again), WithGiven::Wrong | WithGiven::Same) {
+                let mut ask = |case: &Case, given: BTreeMap<&str, &Value>| self.ask(quantity, &case.state_json, given);
+                all.insert(*quantity, unread(suite, node, again, &mut ask));
+            }
+        }
+        all
+    }
+
+    /// Asks questions again, unless nothing was asked.
+    fn repeat<T>(&mut self, answers: &Answers, look: impl FnOnce(&mut Repetition) -> T) -> Option<T> {
+        self.hello.as_ref().ok()?;
+        let mut repetition = Repetition::of(self.suite, self.subject, answers);
+        let found = look(&mut repetition);
+        self.questions += repetition.questions();
+        Some(found)
     }
 
     /// Asks for a quantity in every state that must be refused.

@@ -25,7 +25,7 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, answers, examination, diagnosis, blame, program, subject, process, protocol;
+// schema, report, examiner, given, examination, memory, answers, diagnosis, blame, program, subject, process, protocol;
 // equations_text, state_file; verdict, suite, numbers, graph, error.
 mod answers;
 mod blame;
@@ -34,7 +34,9 @@ mod equations_text;
 mod error;
 mod examination;
 mod examiner;
+mod given;
 mod graph;
+mod memory;
 mod numbers;
 mod process;
 mod program;
@@ -47,12 +49,13 @@ mod suite;
 mod verdict;
 
 pub use blame::{Blame, Culprit, Follower};
-pub use diagnosis::{Diagnosis, Mistake, MistakeKind};
+pub use diagnosis::{Ancestor, Diagnosis, Mistake, MistakeKind};
 pub use equations_text::equations_text;
 pub use error::{Error, Result};
 pub use examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 pub use examiner::{Options, examine};
 pub use graph::{GRAPH, Node};
+pub use memory::{ChangedAnswer, EarlierQuestion, Memory, When};
 pub use program::{MOST_STARTS, Program};
 pub use protocol::{Answer, AnswerLine, Asked, Hello, Question, numbers as read_numbers, read as read_answer};
 pub use report::Report;

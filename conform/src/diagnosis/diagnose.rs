@@ -10,11 +10,13 @@ use super::candidate::Candidate;
 use super::entries::wrong_entries;
 use super::mistake::{Mistake, MistakeKind};
 use super::observation::{LOOSE, Observation, Outcome, distance};
-use super::{angle, copied, errata, factors, gradient, heat, inertia, integral, law, layout, reading};
+use super::{angle, cable, copied, errata, factors, gradient, heat, inertia, integral, law, layout, reading};
 use crate::suite::{Case, Reference, State};
 
 /// Largest number of mistakes that are named.
 const MOST_NAMED: usize = 3;
+/// Smallest number of failing cases from which one of two mistakes is told.
+const LEAST_OF_TWO: usize = 2;
 /// Number of correct digits from which a wrong answer counts as the right formula, computed imprecisely.
 const IMPRECISE_DIGITS: i32 = 6;
 
@@ -24,6 +26,8 @@ pub struct Diagnosis {
     /// Mistakes that explain all answers that are numbers, likelier ones first; at most three. Empty if no known mistake does.
     #[serde(rename = "kinds")]
     pub mistakes: Vec<Mistake>,
+    /// Whether these are two mistakes at once, in different states. Otherwise each explains all answers.
+    pub together: bool,
     /// Tags that all failing cases have and no right one.
     pub only_where: Vec<String>,
     /// Indices of the wrong entries, such as (3, 7), counted from 1. Empty for a number and for more than four entries.
@@ -42,8 +46,13 @@ pub fn diagnose(quantity: &str, observations: &[Observation]) -> Diagnosis {
             *without_numbers.entry(fault.word()).or_default() += 1;
         }
     }
+    let (mistakes, together) = match mistakes(quantity, observations) {
+        none if none.is_empty() => two_mistakes(quantity, observations).map_or((none, false), |two| (two.into(), true)),
+        mistakes => (mistakes, false),
+    };
     Diagnosis {
-        mistakes: mistakes(quantity, observations),
+        mistakes,
+        together,
         only_where: common_tags(observations),
         entries: wrong_entries(quantity, observations),
         failing: observations.iter().filter(|o| o.outcome != Outcome::Right).count(),
@@ -77,6 +86,28 @@ fn mistakes(quantity: &str, observations: &[Observation]) -> Vec<Mistake> {
     found
 }
 
+/// Two mistakes in different states: one explains the failing cases with some tag, the other one those without it.
+fn two_mistakes(quantity: &str, observations: &[Observation]) -> Option<[Mistake; 2]> {
+    let (right, failing): (Vec<Observation>, Vec<Observation>) =
+        observations.iter().partition(|observation| observation.outcome == Outcome::Right);
+    let tags: BTreeSet<&String> = failing.iter().flat_map(|observation| &observation.case.tags).collect();
+    tags.into_iter().find_map(|tag| {
+        let (with, without): (Vec<Observation>, Vec<Observation>) =
+            failing.iter().partition(|observation| observation.case.tags.contains(tag));
+        if with.len().min(without.len()) < LEAST_OF_TWO {
+            return None;
+        }
+        let first = |part: &[Observation]| {
+            let mistake = mistakes(quantity, &[part, &right].concat()).into_iter().next()?;
+            (mistake.kind != MistakeKind::Digits).then_some(mistake)
+        };
+        let (one, two) = (first(&with)?, first(&without)?);
+        let tagged =
+            |mistake: Mistake, words: &str| Mistake { what: format!("{}, {words} {tag}", mistake.what), ..mistake };
+        Some([tagged(one, "in states tagged"), tagged(two, "in states not tagged")])
+    })
+}
+
 /// Candidates that explain every answer.
 fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> {
     let mut found: Option<BTreeSet<Mistake>> = None;
@@ -85,7 +116,7 @@ fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> 
         let fitting = candidates(quantity, observation.case, reference)
             .into_iter()
             .filter(|candidate| found.as_ref().is_none_or(|found| found.contains(&candidate.mistake)))
-            .filter(|candidate| explains(candidate, observation.outcome, reference))
+            .filter(|candidate| explains((candidate.value)().as_deref(), observation.outcome, reference))
             .map(|candidate| candidate.mistake);
         found = Some(fitting.collect());
         if found.as_ref().is_some_and(BTreeSet::is_empty) {
@@ -96,10 +127,13 @@ fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> 
 }
 
 /// All candidates for a quantity in one case. Wrong factors are not among them.
-fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -> Vec<Candidate<'a>> {
+pub(super) fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -> Vec<Candidate<'a>> {
     let mut all = errata::of(quantity, case);
     all.extend(layout::of(reference));
     all.extend(copied::of(quantity, case, reference));
+    if let State::Cable(state) = &case.state {
+        all.extend(cable::of(quantity, state));
+    }
     if let State::Element(state) = &case.state {
         type Of = for<'a> fn(&'a str, &'a ElementState) -> Vec<Candidate<'a>>;
         let all_of: [Of; 7] = [angle::of, heat::of, law::of, gradient::of, inertia::of, integral::of, reading::of];
@@ -108,13 +142,13 @@ fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -
     all
 }
 
-/// Whether a candidate explains an answer. It explains a wrong one only if it is nearer than half the distance of the reference value.
-fn explains(candidate: &Candidate, outcome: Outcome, reference: &Reference) -> bool {
-    let value = (candidate.value)();
+/// Whether the value that a mistake gives explains an answer. It explains a wrong one only if it is nearer than half the distance of the
+/// reference value.
+pub(super) fn explains(value: Option<&[f64]>, outcome: Outcome, reference: &Reference) -> bool {
     match (outcome, value) {
-        (Outcome::Right, Some(value)) => distance(&value, &reference.numbers, reference) <= LOOSE,
+        (Outcome::Right, Some(value)) => distance(value, &reference.numbers, reference) <= LOOSE,
         (Outcome::Wrong(answer), Some(value)) => {
-            let away = distance(&value, answer, reference);
+            let away = distance(value, answer, reference);
             away <= LOOSE && 2.0 * away < distance(&reference.numbers, answer, reference)
         }
         (Outcome::Refused(_), None) => true,
@@ -123,7 +157,7 @@ fn explains(candidate: &Candidate, outcome: Outcome, reference: &Reference) -> b
 }
 
 /// Tags that all failing cases have and no right one.
-fn common_tags(observations: &[Observation]) -> Vec<String> {
+pub(super) fn common_tags(observations: &[Observation]) -> Vec<String> {
     let (right, failing): (Vec<&Observation>, Vec<&Observation>) =
         observations.iter().partition(|o| o.outcome == Outcome::Right);
     let Some(first) = failing.first() else { return Vec::new() };

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::record::{Counts, FailingCase, Failure, QuantityResult, Report};
-use crate::diagnosis::Diagnosis;
+use crate::diagnosis::{Ancestor, Diagnosis};
 use crate::examination::InvalidOutcome;
+use crate::memory::{ChangedAnswer, EarlierQuestion, Memory};
 use crate::protocol::quoted;
 
 impl Report {
@@ -64,6 +65,7 @@ impl Report {
     fn write_markdown(&self, out: &mut String) -> std::fmt::Result {
         writeln!(out, "## Conformance of {}\n\n{}\n", plain(&self.program.name), self.summary())?;
         self.write_conversation(out)?;
+        self.write_memory(out)?;
         self.write_silent(out)?;
         self.write_culprits(out)?;
         writeln!(out, "| quantity | | right / asked | digits | smallest failing case |\n|---|---|---|---|---|")?;
@@ -128,6 +130,18 @@ impl Report {
         Ok(())
     }
 
+    /// Answers that depend on what was asked before, and given values that are not read.
+    fn write_memory(&self, out: &mut String) -> std::fmt::Result {
+        if let Some(memory) = &self.memory {
+            writeln!(out, "{}\n", memory_text(memory))?;
+        }
+        if !self.given_ignored.is_empty() {
+            let quantities: Vec<String> = self.given_ignored.iter().map(|name| format!("`{name}`")).collect();
+            writeln!(out, "It says it reads `given`, but does not for {}.\n", quantities.join(", "))?;
+        }
+        Ok(())
+    }
+
     /// Quantities without numbers, by fault.
     fn write_silent(&self, out: &mut String) -> std::fmt::Result {
         let mut by_fault: BTreeMap<Vec<&str>, Vec<&QuantityResult>> = BTreeMap::new();
@@ -161,8 +175,10 @@ impl Report {
                 false => "No wrong number, but none in some cases",
             };
             let because = capitalised(&culprit.blame.because);
-            writeln!(out, "**{which}: ({}), `{}`.** {because}.", culprit.equation, culprit.blame.quantity)?;
+            let before = if culprit.ancestors.is_empty() { "" } else { " or one before it" };
+            writeln!(out, "**{which}: ({}){before}, `{}`.** {because}.", culprit.equation, culprit.blame.quantity)?;
             writeln!(out, "{}", diagnosis_text(&culprit.diagnosis))?;
+            write_ancestors(out, &culprit.ancestors)?;
             let mut same: BTreeMap<&str, Vec<String>> = BTreeMap::new();
             for other in self.culprits.iter().filter(|other| other.same_as == Some(culprit.blame.quantity)) {
                 if let Some(mistake) = culprit.shared_mistake(other) {
@@ -231,6 +247,55 @@ impl QuantityResult {
     }
 }
 
+/// Evidence of memory in sentences.
+fn memory_text(memory: &Memory) -> String {
+    let mut sentences =
+        vec![match memory.random {
+        true => "**Your answers differ although the question is equal: random numbers, or memory that was never set.**",
+        false => "**Your answers depend on what was asked before.**",
+    }
+    .to_string()];
+    if let Some(change) = memory.changed.first() {
+        let ChangedAnswer { quantity, first_answer, second_answer, second_is_right, again, .. } = change;
+        let [case, first, second] = [&change.case, first_answer, second_answer].map(|text| cell(text));
+        let right = if *second_is_right { ", which is right" } else { "" };
+        sentences.push(format!("`{quantity}` in `{case}`: {first} at first, {second} {}{right}.", again.words()));
+    }
+    if let Some(EarlierQuestion { quantity, case, questions_before, exact }) = &memory.after {
+        let case = cell(case);
+        sentences.push(match (*questions_before, exact) {
+            (1, _) => format!("It goes wrong just after `{quantity}` in `{case}`."),
+            (n, true) => format!("It goes wrong from `{quantity}` in `{case}` on, {n} questions before."),
+            (n, false) => format!("It goes wrong within {n} questions, from `{quantity}` in `{case}` on."),
+        });
+    }
+    if !memory.quantities.is_empty() {
+        let quantities: Vec<String> = memory.quantities.iter().map(|name| format!("`{name}`")).collect();
+        sentences.push(format!("No equation is blamed for {}.", quantities.join(", ")));
+    }
+    sentences.push("Look for static variables, caches and buffers that are not cleared.".into());
+    sentences.join(" ")
+}
+
+/// Earlier quantities that the mistake may be in, a line for each with evidence.
+fn write_ancestors(out: &mut String, ancestors: &[Ancestor]) -> std::fmt::Result {
+    let (fitting, others): (Vec<&Ancestor>, Vec<&Ancestor>) =
+        ancestors.iter().partition(|ancestor| !ancestor.mistakes.is_empty());
+    for Ancestor { quantity, equation, mistakes, speaks } in fitting {
+        let mistakes = mistakes.iter().map(|mistake| format!("{} ({})", mistake.kind.word(), cell(&mistake.what)));
+        let mistakes = mistakes.collect::<Vec<_>>().join("; or ");
+        writeln!(out, "\n- ({equation}), `{quantity}`, which is not answered: {mistakes} {speaks}.")?;
+    }
+    let mut by_evidence: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for Ancestor { quantity, speaks, .. } in others {
+        by_evidence.entry(speaks).or_default().push(format!("`{quantity}`"));
+    }
+    for (speaks, quantities) in by_evidence {
+        writeln!(out, "\n- {}: {speaks}.", quantities.join(", "))?;
+    }
+    Ok(())
+}
+
 /// A diagnosis in sentences.
 fn diagnosis_text(diagnosis: &Diagnosis) -> String {
     let mut sentences = Vec::new();
@@ -246,7 +311,9 @@ fn diagnosis_text(diagnosis: &Diagnosis) -> String {
         .map(|mistake| format!("{} ({})", mistake.kind.word(), cell(&mistake.what)))
         .collect();
     if !mistakes.is_empty() {
-        sentences.push(format!("Explained by: {}.", mistakes.join("; or ")));
+        let (how, between) =
+            if diagnosis.together { ("Explained by two mistakes", "; and ") } else { ("Explained by", "; or ") };
+        sentences.push(format!("{how}: {}.", mistakes.join(between)));
     } else if silent < *failing {
         sentences.push("No known mistake gives these answers.".into());
     }

@@ -6,9 +6,10 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::blame::{self, Blame, Follower};
-use crate::diagnosis::{Diagnosis, Mistake};
+use crate::diagnosis::{Ancestor, Diagnosis, Mistake};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 use crate::graph::equation;
+use crate::memory::Memory;
 use crate::protocol::Hello;
 use crate::subject::Chatter;
 use crate::suite::{InvalidCase, Suite};
@@ -42,8 +43,12 @@ pub struct Report {
     pub program: Program,
     /// Lines on its standard output that are not JSON objects.
     pub chatter: Chatter,
-    /// Whether no answer failed, every invalid state that was asked for was refused, and something is implemented.
+    /// Whether no answer failed, none changed when asked for again, every invalid state that was asked for was refused, and something is implemented.
     pub passes: bool,
+    /// Evidence that answers depend on what was asked before; null if none was found. No equation is blamed for a quantity in it.
+    pub memory: Option<Memory>,
+    /// Quantities for which it does not read any value that it is given, although it says that it does.
+    pub given_ignored: Vec<&'static str>,
     /// Quantities that it answers in some cases and says it does not implement in others.
     pub partly_checked: Vec<PartlyChecked>,
     /// The culprit to look at first; null if there is none.
@@ -106,6 +111,9 @@ pub struct CulpritResult {
     /// The mistakes that explain it.
     #[serde(flatten)]
     pub diagnosis: Diagnosis,
+    /// Earlier quantities that are not answered and that the mistake may be in, likeliest first. If there are any, whether the quantity
+    /// itself is wrong is unknown.
+    pub ancestors: Vec<Ancestor>,
     /// Earlier culprit that shows the same mistake; null if there is none.
     pub same_as: Option<&'static str>,
 }
@@ -207,7 +215,7 @@ pub struct InvalidResult {
 impl Report {
     /// Writes the report on an examination with the questions of `suite`.
     pub fn new(suite: &Suite, examination: &Examination) -> Report {
-        let culprits = culprits(&examination.blame, &examination.diagnoses);
+        let culprits = culprits(&examination.blame, &examination.diagnoses, &examination.ancestors);
         let hello = examination.hello.as_ref();
         Report {
             schema: SCHEMA,
@@ -222,6 +230,8 @@ impl Report {
             },
             chatter: examination.chatter.clone(),
             passes: examination.passes(),
+            memory: examination.memory.clone(),
+            given_ignored: examination.given_ignored.clone(),
             partly_checked: partly_checked(suite, examination),
             first_wrong: culprits.iter().find(|culprit| culprit.blame.numbers).or(culprits.first()).cloned(),
             culprits,
@@ -262,12 +272,17 @@ fn partly_checked(suite: &Suite, examination: &Examination) -> Vec<PartlyChecked
 }
 
 /// Culprits with their diagnoses. One that shows the mistake of an earlier culprit refers to it.
-fn culprits(blame: &Blame, diagnoses: &BTreeMap<&str, Diagnosis>) -> Vec<CulpritResult> {
+fn culprits(
+    blame: &Blame,
+    diagnoses: &BTreeMap<&str, Diagnosis>,
+    ancestors: &BTreeMap<&str, Vec<Ancestor>>,
+) -> Vec<CulpritResult> {
     let mut culprits: Vec<CulpritResult> = Vec::new();
     for culprit in &blame.culprits {
         let diagnosis = diagnoses.get(culprit.quantity).cloned().unwrap_or_default();
         let equation = equation(culprit.quantity);
-        let mut own = CulpritResult { blame: culprit.clone(), equation, diagnosis, same_as: None };
+        let ancestors = ancestors.get(culprit.quantity).cloned().unwrap_or_default();
+        let mut own = CulpritResult { blame: culprit.clone(), equation, diagnosis, ancestors, same_as: None };
         let same = culprits.iter().find(|other| other.same_as.is_none() && other.shared_mistake(&own).is_some());
         own.same_as = same.map(|other| other.blame.quantity);
         culprits.push(own);
@@ -418,7 +433,8 @@ mod tests {
         };
         let blame = Blame { culprits: shown.map(|(quantity, _)| blamed(quantity)).into(), ..Blame::default() };
         let diagnoses = shown.map(|(quantity, mistakes)| (quantity, diagnosis(mistakes))).into();
-        let same: Vec<_> = culprits(&blame, &diagnoses).iter().map(|culprit| culprit.same_as).collect();
+        let same: Vec<_> =
+            culprits(&blame, &diagnoses, &BTreeMap::new()).iter().map(|culprit| culprit.same_as).collect();
         assert_eq!(same, [None, Some("21.S_a1"), None, None, Some("21.S_c1")]);
     }
 }
