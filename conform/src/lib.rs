@@ -25,10 +25,11 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, answers, examination, diagnosis, blame, program, subject, process, protocol;
+// schema, report, examiner, convention, answers, examination, diagnosis, blame, program, subject, process, protocol;
 // equations_text, state_file; verdict, suite, numbers, graph, error.
 mod answers;
 mod blame;
+mod convention;
 mod diagnosis;
 mod equations_text;
 mod error;
@@ -47,6 +48,7 @@ mod suite;
 mod verdict;
 
 pub use blame::{Blame, Culprit, Follower};
+pub use convention::{Convention, How};
 pub use diagnosis::{Diagnosis, Mistake, MistakeKind};
 pub use equations_text::equations_text;
 pub use error::{Error, Result};
