@@ -186,8 +186,10 @@ impl Inference<'_> {
             .filter(|conventions| !family.layout(conventions).is_usual())
             .find(|conventions| matches!((self.ask)(quantity, n, conventions), Ok(Answer::Value(_))));
         if let Some(conventions) = read {
+            let refuses = "it refuses the states in the layout of the fixtures, and answers those in this one";
+            let keys = family.layout(&conventions).differences().into_iter().map(|(key, _)| key);
+            self.shown_by.extend(keys.chain(["state"]).map(|key| (key, refuses.to_string())));
             self.conventions = conventions;
-            self.shown_by.insert("state", "it refuses the states in the layout of the fixtures".into());
             self.ask_again(&mut |quantity| Family::of(quantity) == Some(family));
         }
     }
