@@ -175,6 +175,11 @@ impl Mine {
         if !(l > 0.0 && h > 0.0) {
             return Answer::Error("l and h must be over 0".into());
         }
+        // Reference values come in the program's conventions, too.
+        for (name, value) in &question.given {
+            let own = self.value(name, &state, l, h).unwrap();
+            assert!(close(&own, value), "{name} given for {quantity}: {value}, not {own}");
+        }
         match self.value(quantity, &state, l, h) {
             Ok(value) => Answer::Value(value),
             Err(message) => Answer::Error(message),
@@ -257,6 +262,21 @@ impl Mine {
         let examination = examine(&SUITE, &mut subject, Options::default(), |_| {});
         Report::new(&SUITE, &examination)
     }
+}
+
+/// Whether nested lists of numbers agree to twelve digits of the largest.
+fn close(one: &Value, other: &Value) -> bool {
+    fn numbers(value: &Value, all: &mut Vec<f64>) {
+        match value {
+            Value::Array(list) => list.iter().for_each(|value| numbers(value, all)),
+            value => all.push(value.as_f64().unwrap_or(f64::NAN)),
+        }
+    }
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    numbers(one, &mut a);
+    numbers(other, &mut b);
+    let size = a.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+    a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-11 * size)
 }
 
 /// Code whose hello declares conventions.
@@ -523,4 +543,68 @@ fn single_precision_hides_no_convention() {
         }
     }
     assert_none(complaints);
+}
+
+#[test]
+fn given_values_come_in_the_programs_conventions() {
+    let twice_the_force: MistakeOf = |quantity, state| {
+        (quantity == "22.residual").then(|| evaluate(quantity, state).unwrap().iter().map(|f| 2.0 * f).collect())
+    };
+    let wrong_stress: MistakeOf = |quantity, state| {
+        (quantity == "15.sigma").then(|| evaluate(quantity, state).unwrap().iter().map(|s| 2.0 * s).collect())
+    };
+    let mut complaints = Vec::new();
+    for (what, mine, expected) in programs() {
+        for (mine, expected) in [(mine.clone(), expected)].into_iter().chain(with_own_reading(&mine)) {
+            for (quantity, mistake) in [("22.residual", twice_the_force), ("15.sigma", wrong_stress)] {
+                let mine = Mine { given: true, mistake: Some(mistake), ..mine.clone() };
+                complaints.push(complaint(what, &mine, &expected, &[quantity]));
+            }
+        }
+    }
+    assert_none(complaints);
+}
+
+#[test]
+fn declared_conventions_are_used_and_errors_named() {
+    let names = ["r_i", "r_y_i", "r_j", "r_x_j", "r_y_j", "r_k", "r_y_k"];
+    let order: Vec<&str> = [4, 6, 0, 3, 5, 1, 2].iter().map(|n: &usize| names[*n]).collect();
+    let mine = Mine {
+        order: [4, 6, 0, 3, 5, 1, 2],
+        engineering: true,
+        degrees: true,
+        reads_own: true,
+        declared: json!({"order": order, "state": "own", "shear": "engineering", "theta": "degrees"}),
+        ..Mine::default()
+    };
+    let report = mine.report();
+    assert_eq!(failing(&report), Vec::<&str>::new(), "{}", report.markdown());
+    assert_eq!(self::names(&report), ["order", "state", "shear", "theta"]);
+    assert!(report.conventions.iter().all(|convention| convention.how == How::Declared));
+    assert!(report.markdown().contains("θ in degrees (declared)"), "{}", report.markdown());
+
+    let wrong = json!({"ordr": [], "shear": "enginering", "voigt": ["11", "22"], "slopes": 5});
+    let report = Mine { declared: wrong, quantities: Some(BLACK_BOX.into()), ..Mine::default() }.report();
+    let text = report.convention_errors.join("\n");
+    for words in [
+        "`ordr` is no convention; nearest: `order`",
+        "`shear` cannot be `enginering`; nearest: `engineering`; allowed: tensor, engineering",
+        "`voigt` cannot be `[\"11\",\"22\"]`; allowed: a list of 11, 22, 12, each once",
+        "`slopes` cannot be `5`",
+    ] {
+        assert!(text.contains(words), "{words}: {text}");
+    }
+    assert!(report.markdown().contains("In the conventions of its hello"));
+}
+
+#[test]
+fn what_cannot_be_told_is_listed() {
+    let report = Mine { order: ENDS_FIRST, quantities: Some(vec!["7.M"]), ..Mine::default() }.report();
+    let [order] = &report.conventions[..] else { panic!("{}", report.markdown()) };
+    // M is the same with r_y_i and r_y_k exchanged, and seen from the other end.
+    assert!(order.ambiguous_with.len() >= 2, "{order:?}");
+    assert!(order.ambiguous_with.iter().any(|words| words.contains("other end")), "{order:?}");
+    let report = Mine { engineering: true, quantities: Some(vec!["16.D"]), ..Mine::default() }.report();
+    let [shear] = &report.conventions[..] else { panic!("{}", report.markdown()) };
+    assert_eq!(shear.name, "shear");
 }
