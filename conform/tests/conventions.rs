@@ -264,7 +264,7 @@ impl Mine {
     }
 }
 
-/// Whether nested lists of numbers agree to twelve digits of the largest.
+/// Whether nested lists of numbers agree to nine digits of the largest; forces at rest are differences of numbers of 10⁴ N.
 fn close(one: &Value, other: &Value) -> bool {
     fn numbers(value: &Value, all: &mut Vec<f64>) {
         match value {
@@ -276,7 +276,7 @@ fn close(one: &Value, other: &Value) -> bool {
     numbers(one, &mut a);
     numbers(other, &mut b);
     let size = a.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-    a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-11 * size)
+    a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-9 * size)
 }
 
 /// Code whose hello declares conventions.
