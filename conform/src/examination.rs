@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::blame::Blame;
+use crate::convention::Convention;
 use crate::diagnosis::{Ancestor, Diagnosis};
 use crate::memory::Memory;
 use crate::protocol::Hello;
@@ -22,6 +23,10 @@ pub struct Examination {
     pub description: String,
     /// The program's answer to `hello`, or the fault that came in its place. After a fault nothing was asked.
     pub hello: Result<Hello, Fault>,
+    /// Conventions of the program that differ from the fixtures. Its answers were translated before they were judged.
+    pub conventions: Vec<Convention>,
+    /// What the conventions in its hello should have been, in words.
+    pub convention_errors: Vec<String>,
     /// Lines on the program's standard output that are not JSON objects.
     pub chatter: Chatter,
     /// Verdicts by quantity and case, in the order of the questions.

@@ -7,14 +7,15 @@ use serde_json::Value;
 
 use crate::answers::{Answers, CaseAnswer, judged};
 use crate::blame::{Blame, Status, WithGiven, blame};
+use crate::convention::{self, Conventions, Declared};
 use crate::diagnosis::{Ancestor, Observation, Outcome, Seen, ancestors, diagnose};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
-use crate::given::unread;
+use crate::given::{scaled, unread};
 use crate::graph::{GRAPH, Node};
 use crate::memory::Repetition;
 use crate::protocol::{Answer, Asked, Hello, announcement};
 use crate::subject::Subject;
-use crate::suite::{Case, InvalidCase, Suite};
+use crate::suite::{InvalidCase, Suite};
 use crate::verdict::{Fault, Verdict, Wrong};
 
 /// Number of times that a program may hang or crash at a quantity before the rest of its cases is skipped.
@@ -43,9 +44,16 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let started = Instant::now();
     let hello = subject.hello(&announcement(suite));
     let accepts_given = options.given && hello.as_ref().is_ok_and(|hello| hello.given);
-    let mut examiner = Examiner { suite, subject, hello, questions: 0 };
+    let declared = hello.as_ref().map(|hello| Declared::read(&hello.conventions)).unwrap_or_default();
+    let conventions = declared.conventions.clone();
+    let mut examiner = Examiner { suite, subject, hello, conventions, questions: 0 };
     let answers = examiner.answers(&progress);
+    let found = convention::infer(suite, &declared, answers, &mut |quantity, n, conventions| {
+        examiner.ask(quantity, n, &[], conventions)
+    });
+    examiner.conventions = found.conventions;
     let invalid = examiner.invalid();
+    let answers = found.answers;
     let verdicts = answers.judged(suite);
     let failing = first_failing(&verdicts);
     let mut memory = examiner.repeat(&answers, |repetition| repetition.memory(&failing)).flatten();
@@ -84,6 +92,8 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
         chatter: examiner.subject.chatter(),
         starts: examiner.subject.starts(),
         hello: examiner.hello,
+        conventions: found.named,
+        convention_errors: declared.errors,
         questions: examiner.questions,
         seconds: started.elapsed().as_secs_f64(),
         verdicts,
@@ -182,6 +192,8 @@ struct Examiner<'a> {
     suite: &'a Suite,
     subject: &'a mut dyn Subject,
     hello: Result<Hello, Fault>,
+    /// Conventions of the program: those it declared, then those that its answers show.
+    conventions: Conventions,
     questions: usize,
 }
 
@@ -206,13 +218,14 @@ impl<'a> Examiner<'a> {
     fn in_every_case(&mut self, quantity: &'static str) -> Vec<CaseAnswer> {
         let (suite, has) = (self.suite, self.has(quantity));
         let (mut answers, mut ended) = (Vec::new(), 0);
-        for (n, case) in suite.cases.iter().enumerate().filter(|(_, case)| case.values.contains_key(quantity)) {
+        let conventions = self.conventions.clone();
+        for (n, _) in suite.cases.iter().enumerate().filter(|(_, case)| case.values.contains_key(quantity)) {
             let answer = if !has {
                 Ok(Answer::NotImplemented)
             } else if ended >= PATIENCE {
                 Err(Fault::NotAsked(format!("it hung or crashed {PATIENCE} times before, or wrote an endless line")))
             } else {
-                self.ask(quantity, &case.state_json, case.given(&[]))
+                self.ask(quantity, n, &[], &conventions)
             };
             ended += match answer {
                 Err(Fault::TimeLimit(_) | Fault::Crash(_)) => 1,
@@ -227,16 +240,16 @@ impl<'a> Examiner<'a> {
 
     /// Asks again with reference values of the quantity's inputs. Right cases are included, since two mistakes may have cancelled there.
     fn with_given(&mut self, node: &Node, cases: &[CaseVerdict]) -> Vec<CaseVerdict> {
-        let suite = self.suite;
+        let (suite, conventions) = (self.suite, self.conventions.clone());
         let answered = cases.iter().filter(|(_, verdict)| match verdict {
             Verdict::Pass { .. } | Verdict::Wrong(_) => true,
             // A program that hung or crashed would do so again.
             Verdict::Fault(fault) => matches!(fault, Fault::Error(_) | Fault::Shape(_) | Fault::NotFinite(_)),
             Verdict::NotImplemented => false,
         });
-        let again = answered.filter_map(|(n, _)| {
-            let case = suite.cases.get(*n)?;
-            Some((*n, self.ask(node.quantity, &case.state_json, case.given(node.given))))
+        let again = answered.map(|(n, _)| {
+            let answer = self.ask(node.quantity, *n, node.given, &conventions);
+            (*n, answer.map(|answer| conventions.answer(suite, node.quantity, *n, answer)))
         });
         judged(suite, node.quantity, &again.collect::<Vec<_>>())
     }
@@ -252,7 +265,11 @@ impl<'a> Examiner<'a> {
         for ((quantity, cases), node) in verdicts.iter().zip(GRAPH) {
             let Some(again) = again.get(quantity) else { continue };
             if any(again, Verdict::fails) && matches!(with_given(cases, again), WithGiven::Wrong | WithGiven::Same) {
-                let mut ask = |case: &Case, given: BTreeMap<&str, &Value>| self.ask(quantity, &case.state_json, given);
+                let conventions = self.conventions.clone();
+                let mut ask = |n: usize, altered: Option<&str>| {
+                    let answer = self.ask_altered(quantity, n, node.given, altered, &conventions)?;
+                    Ok(conventions.answer(suite, quantity, n, answer))
+                };
                 all.insert(*quantity, unread(suite, node, again, &mut ask));
             }
         }
@@ -262,7 +279,7 @@ impl<'a> Examiner<'a> {
     /// Asks questions again, unless nothing was asked.
     fn repeat<T>(&mut self, answers: &Answers, look: impl FnOnce(&mut Repetition) -> T) -> Option<T> {
         self.hello.as_ref().ok()?;
-        let mut repetition = Repetition::of(self.suite, self.subject, answers);
+        let mut repetition = Repetition::of(self.suite, self.subject, &self.conventions, answers);
         let found = look(&mut repetition);
         self.questions += repetition.questions();
         Some(found)
@@ -270,11 +287,11 @@ impl<'a> Examiner<'a> {
 
     /// Asks for a quantity in every state that must be refused.
     fn invalid(&mut self) -> Vec<InvalidVerdict> {
-        let suite = self.suite;
+        let (suite, conventions) = (self.suite, self.conventions.clone());
         let verdict = |case: &InvalidCase| {
             let (outcome, detail) = match self.has(&case.equation) {
                 false => (InvalidOutcome::NotImplemented, None),
-                true => match self.ask(&case.equation, &case.state, BTreeMap::new()) {
+                true => match self.send(&case.equation, &case.state, BTreeMap::new(), &conventions) {
                     Ok(Answer::Error(message)) => (InvalidOutcome::Refused, Some(message)),
                     Ok(Answer::Value(_)) => (InvalidOutcome::Accepted, None),
                     Ok(Answer::NotImplemented) => (InvalidOutcome::NotImplemented, None),
@@ -286,13 +303,51 @@ impl<'a> Examiner<'a> {
         suite.invalid.iter().map(verdict).collect()
     }
 
-    fn ask(&mut self, equation: &str, state: &Value, given: BTreeMap<&str, &Value>) -> Result<Answer, Fault> {
+    /// Asks for a quantity in the case with index `n`, with reference values of `given`, all in these conventions.
+    fn ask(
+        &mut self,
+        quantity: &str,
+        n: usize,
+        given: &[&'static str],
+        conventions: &Conventions,
+    ) -> Result<Answer, Fault> {
+        self.ask_altered(quantity, n, given, None, conventions)
+    }
+
+    /// [`ask`](Examiner::ask) with one of the given values altered.
+    fn ask_altered(
+        &mut self,
+        quantity: &str,
+        n: usize,
+        given: &[&'static str],
+        altered: Option<&str>,
+        conventions: &Conventions,
+    ) -> Result<Answer, Fault> {
+        let suite = self.suite;
+        let Some(case) = suite.cases.get(n) else { return Ok(Answer::NotImplemented) };
+        let mut theirs = conventions.all_given(case, given);
+        if let Some((_, value)) = theirs.iter_mut().find(|(name, _)| Some(*name) == altered) {
+            *value = scaled(value);
+        }
+        let given = theirs.iter().map(|(name, value)| (*name, value)).collect();
+        self.send(quantity, &case.state_json, given, conventions)
+    }
+
+    /// Sends a question; the state is rewritten as the program reads it.
+    fn send(
+        &mut self,
+        equation: &str,
+        state: &Value,
+        given: BTreeMap<&str, &Value>,
+        conventions: &Conventions,
+    ) -> Result<Answer, Fault> {
         if let Err(fault) = &self.hello {
             return Err(Fault::NotAsked(format!("it did not answer hello: {fault}")));
         }
         self.questions += 1;
         let id = self.questions.to_string();
-        self.subject.ask(&Asked { equation, given, id: &id, state })
+        let rewritten = conventions.state(state);
+        self.subject.ask(&Asked { equation, given, id: &id, state: rewritten.as_ref().unwrap_or(state) })
     }
 }
 

@@ -3,8 +3,6 @@
 //! A program that announces `given` may take some values and compute others itself. Wrong values that it computes itself remain an
 //! excuse. So each value is altered once, in a state where that must change the answer.
 
-use std::collections::BTreeMap;
-
 use serde_json::Value;
 
 use crate::examination::CaseVerdict;
@@ -20,8 +18,8 @@ const STATES: usize = 2;
 /// An answer has changed if it is this many tolerances away: altered by half, an input that is read moves it much further.
 const CHANGED: f64 = 1e3;
 
-/// Asks for a quantity in a case with given values.
-pub type Ask<'a> = dyn FnMut(&Case, BTreeMap<&str, &Value>) -> Result<Answer, Fault> + 'a;
+/// Asks for a quantity with given values in the case of an index; one of the values may be altered, as [`scaled`] does it.
+pub type Ask<'a> = dyn FnMut(usize, Option<&str>) -> Result<Answer, Fault> + 'a;
 
 /// Inputs of a quantity that do not change its answer when they are altered: the program does not read them.
 ///
@@ -33,20 +31,16 @@ pub fn unread(suite: &Suite, node: &Node, cases: &[CaseVerdict], ask: &mut Ask) 
 
 fn is_read(suite: &Suite, node: &Node, input: &str, cases: &[CaseVerdict], ask: &mut Ask) -> bool {
     let is_zero = |value: &Reference| value.numbers.iter().all(|number| *number == 0.0);
-    let mut usable: Vec<(&Case, &Reference, &Reference)> = (cases.iter())
+    let mut usable: Vec<(usize, &Case, &Reference)> = (cases.iter())
         .filter(|(_, verdict)| verdict.digits().is_some())
-        .filter_map(|(n, _)| suite.cases.get(*n))
-        .filter_map(|case| Some((case, case.values.get(node.quantity)?, case.values.get(input)?)))
-        .filter(|(_, quantity, input)| !is_zero(quantity) && !is_zero(input))
+        .filter_map(|(n, _)| Some((*n, suite.cases.get(*n)?)))
+        .filter_map(|(n, case)| Some((n, case, case.values.get(node.quantity)?)))
+        .filter(|(_, case, quantity)| !is_zero(quantity) && !case.values.get(input).is_none_or(is_zero))
         .collect();
     // Most tags, most terms.
-    usable.sort_by_key(|(case, ..)| std::cmp::Reverse(case.tags.len()));
-    usable.into_iter().take(STATES).any(|(case, quantity, value)| {
-        let altered = scaled(&value.json);
-        let given = case.given(node.given);
-        let other: BTreeMap<&str, &Value> =
-            given.iter().map(|(name, value)| (*name, if *name == input { &altered } else { *value })).collect();
-        match (ask(case, given), ask(case, other)) {
+    usable.sort_by_key(|(_, case, _)| std::cmp::Reverse(case.tags.len()));
+    usable.into_iter().take(STATES).any(|(n, _, quantity)| {
+        match (ask(n, None), ask(n, Some(input))) {
             (Ok(Answer::Value(before)), Ok(Answer::Value(after))) => differ(&before, &after, quantity),
             (before, after) => before != after,
         }
@@ -65,7 +59,7 @@ fn differ(before: &Value, after: &Value, reference: &Reference) -> bool {
 }
 
 /// The value with all numbers altered.
-fn scaled(value: &Value) -> Value {
+pub fn scaled(value: &Value) -> Value {
     match value {
         Value::Array(items) => items.iter().map(scaled).collect(),
         other => other.as_f64().map_or(Value::Null, |number| (ALTERED * number).into()),

@@ -25,10 +25,12 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, given, examination, memory, answers, diagnosis, blame, program, subject, process, protocol;
+// schema, report, examiner, given, examination, memory, convention, answers, diagnosis, blame, program, subject, process,
+// protocol;
 // equations_text, state_file; verdict, suite, numbers, graph, error.
 mod answers;
 mod blame;
+mod convention;
 mod diagnosis;
 mod equations_text;
 mod error;
@@ -49,6 +51,7 @@ mod suite;
 mod verdict;
 
 pub use blame::{Blame, Culprit, Follower};
+pub use convention::{Convention, How};
 pub use diagnosis::{Ancestor, Diagnosis, Mistake, MistakeKind};
 pub use equations_text::equations_text;
 pub use error::{Error, Result};

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use crate::answers::Answers;
 use crate::blame::Blame;
+use crate::convention::Conventions;
 use crate::protocol::{self, Answer, Asked};
 use crate::subject::Subject;
 use crate::suite::{Reference, Suite};
@@ -108,6 +109,7 @@ struct First<'a> {
 pub struct Repetition<'a> {
     suite: &'a Suite,
     subject: &'a mut dyn Subject,
+    conventions: &'a Conventions,
     /// Questions in their order, without those that left no process to ask.
     sequence: Vec<First<'a>>,
     questions: usize,
@@ -115,8 +117,13 @@ pub struct Repetition<'a> {
 }
 
 impl<'a> Repetition<'a> {
-    /// Repetition of questions whose first answers are known.
-    pub fn of(suite: &'a Suite, subject: &'a mut dyn Subject, answers: &'a Answers) -> Repetition<'a> {
+    /// Repetition of questions whose first answers are known, translated from the program's conventions.
+    pub fn of(
+        suite: &'a Suite,
+        subject: &'a mut dyn Subject,
+        conventions: &'a Conventions,
+        answers: &'a Answers,
+    ) -> Repetition<'a> {
         let all = answers.0.iter().flat_map(|(quantity, answers)| {
             answers.iter().map(|(case, answer)| First { quantity, case: *case, answer })
         });
@@ -124,7 +131,8 @@ impl<'a> Repetition<'a> {
             Ok(answer) => *answer != Answer::NotImplemented,
             Err(_) => false,
         };
-        Repetition { suite, subject, sequence: all.filter(has_answer).collect(), questions: 0, fresh: 0 }
+        let sequence = all.filter(has_answer).collect();
+        Repetition { suite, subject, conventions, sequence, questions: 0, fresh: 0 }
     }
 
     /// Number of questions that were asked again.
@@ -206,11 +214,17 @@ impl<'a> Repetition<'a> {
 
     /// Asks question `n` of the sequence.
     fn ask(&mut self, n: usize) -> Option<Result<Answer, Fault>> {
-        let First { quantity, case, .. } = self.sequence.get(n)?;
-        let case = self.suite.cases.get(*case)?;
+        let First { quantity: equation, case: place, .. } = *self.sequence.get(n)?;
+        let (suite, conventions) = (self.suite, self.conventions);
+        let case = suite.cases.get(place)?;
         self.questions += 1;
         let id = format!("again-{}", self.questions);
-        Some(self.subject.ask(&Asked { equation: quantity, given: case.given(&[]), id: &id, state: &case.state_json }))
+        let rewritten = conventions.state(&case.state_json);
+        let theirs = conventions.all_given(case, &[]);
+        let given = theirs.iter().map(|(name, value)| (*name, value)).collect();
+        let state = rewritten.as_ref().unwrap_or(&case.state_json);
+        let answer = self.subject.ask(&Asked { equation, given, id: &id, state });
+        Some(answer.map(|answer| conventions.answer(suite, equation, place, answer)))
     }
 
     /// Asks question `n` again; the change if the answer differs.

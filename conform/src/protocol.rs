@@ -2,7 +2,7 @@
 //!
 //! | line to the program | its answer |
 //! |---|---|
-//! | `{"hello": {"protocol", "quantities"}}` | `{"hello": {"name", "given"?, "quantities"?}}` |
+//! | `{"hello": {"protocol", "quantities"}}` | `{"hello": {"name", "given"?, "quantities"?, "conventions"?}}` |
 //! | `{"id", "equation", "state", "given"?}` | `{"id", "value"}` \| `{"id", "not_implemented": true}` \| `{"id", "error"}` |
 //!
 //! `equation` is the name of a quantity, such as `21.K_1`. A program that accepts intermediate values says so with `"given": true`. A
@@ -17,6 +17,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+use crate::convention::DeclaredConventions;
 use crate::graph::{GRAPH, find};
 use crate::numbers::{Numbers, flatten};
 use crate::suite::{Quantity, Suite};
@@ -106,6 +107,9 @@ pub struct Hello {
     pub given: bool,
     /// Names of the quantities that the program implements; all if absent or null.
     pub quantities: Option<Vec<String>>,
+    /// Conventions in which the program differs from the fixtures. Those that are absent are read off its answers.
+    #[schemars(with = "Option<DeclaredConventions>")]
+    pub conventions: Map<String, Value>,
 }
 
 /// Answer to a question.
@@ -159,6 +163,8 @@ impl Hello {
             name: part(hello, "name", "a string")?,
             given: part(hello, "given", "true or false")?.unwrap_or_default(),
             quantities: part(hello, "quantities", "a list of names, such as [\"1.r\", \"7.M\"]")?,
+            conventions: part(hello, "conventions", "an object, such as {\"matrices\": \"columns\"}")?
+                .unwrap_or_default(),
         })
     }
 }
@@ -321,7 +327,8 @@ mod tests {
         assert_eq!(of(r#"{"id":"7","value":[1.5]}"#), line("7", Answer::Value(json!([1.5]))));
         assert_eq!(of(r#"{"id":"7","not_implemented":true}"#), line("7", Answer::NotImplemented));
         assert_eq!(of(r#"{"id":"7","error":"h is 0"}"#), line("7", Answer::Error("h is 0".into())));
-        let hello = Hello { name: Some("mine".into()), given: true, quantities: Some(vec!["1.r".into()]) };
+        let hello =
+            Hello { name: Some("mine".into()), given: true, quantities: Some(vec!["1.r".into()]), ..Hello::default() };
         assert_eq!(of(r#"{"hello":{"name":"mine","given":true,"quantities":["1.r"]}}"#), AnswerLine::Hello { hello });
     }
 

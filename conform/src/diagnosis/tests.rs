@@ -68,6 +68,37 @@ fn printed_errors_are_told_by_their_names() {
     }
 }
 
+/// The whole rod turned by −θ, so that it lies along x, and its printed energy: its shear is that of the rod's own axes.
+#[test]
+fn the_third_erratum_in_the_rods_own_axes_has_a_name() {
+    let turned = |vectors: &[f64], angle: f64| -> Vec<f64> {
+        let (sin, cos) = angle.sin_cos();
+        vectors.chunks(2).flat_map(|v| [cos * v[0] - sin * v[1], sin * v[0] + cos * v[1]]).collect()
+    };
+    let along_x = |state: &ElementState| {
+        let of = |e: &[f64; 14]| turned(e, -state.theta).try_into().unwrap();
+        ElementState { theta: 0.0, e0: of(&state.e0), e: of(&state.e), ..state.clone() }
+    };
+    let finding =
+        assert_first("18.U", MistakeKind::Erratum, |state, _| evaluate("18.U/printed-shear", &along_x(state)).unwrap());
+    assert!(finding.mistakes[0].what.starts_with("E3 in the rod's own axes"), "{finding:?}");
+    let finding = assert_first("19.Q_e", MistakeKind::Erratum, |state, _| {
+        turned(&evaluate("19.Q_e/printed-shear", &along_x(state)).unwrap(), state.theta)
+    });
+    assert_eq!(finding.mistakes.len(), 1, "{finding:?}");
+    for quantity in ["20.K", "tangent.dQ_e"] {
+        let finding = assert_first(quantity, MistakeKind::Erratum, |state, _| {
+            let matrix = evaluate(&format!("{quantity}/printed-shear"), &along_x(state)).unwrap();
+            // R K Rᵀ: rows first, then columns.
+            let rows: Vec<f64> = matrix.chunks(14).flat_map(|row| turned(row, state.theta)).collect();
+            let columns = (0..14).map(|n| rows.iter().skip(n).step_by(14).copied().collect::<Vec<_>>());
+            let columns: Vec<Vec<f64>> = columns.map(|column| turned(&column, state.theta)).collect();
+            (0..196).map(|n| columns[n % 14][n / 14]).collect()
+        });
+        assert!(finding.mistakes[0].what.starts_with("E3 in the rod's own axes"), "{finding:?}");
+    }
+}
+
 #[test]
 fn signs_factors_and_missing_terms() {
     assert_first("7.M", MistakeKind::Sign, |_, right| right.numbers.iter().map(|m| -m).collect());

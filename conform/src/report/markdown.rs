@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::record::{Counts, FailingCase, Failure, QuantityResult, Report};
+use crate::convention::{Convention, How};
 use crate::diagnosis::{Ancestor, Diagnosis};
 use crate::examination::InvalidOutcome;
 use crate::memory::{ChangedAnswer, EarlierQuestion, Memory};
@@ -117,6 +118,13 @@ impl Report {
                 "Its hello lists names that are not asked for: {}. Use the names of the table below, letter by letter.\n",
                 unknown.join(", ")
             )?;
+        }
+        if !self.conventions.is_empty() {
+            let conventions: Vec<String> = self.conventions.iter().map(convention_text).collect();
+            writeln!(out, "Conventions, which are not mistakes: {}.\n", conventions.join("; "))?;
+        }
+        for error in &self.convention_errors {
+            writeln!(out, "In the conventions of its hello: {}.\n", plain(error))?;
         }
         if self.chatter.lines > 0 {
             writeln!(
@@ -294,6 +302,20 @@ fn write_ancestors(out: &mut String, ancestors: &[Ancestor]) -> std::fmt::Result
         writeln!(out, "\n- {}: {speaks}.", quantities.join(", "))?;
     }
     Ok(())
+}
+
+/// A convention with its evidence.
+fn convention_text(Convention { words, how, evidence, ambiguous_with, .. }: &Convention) -> String {
+    let known = match how {
+        How::Declared => "declared".into(),
+        How::Inferred => format!("inferred: {evidence}"),
+    };
+    let ambiguous = match &ambiguous_with[..] {
+        [] => String::new(),
+        [one] => format!("; cannot be told from: {one}"),
+        [first, others @ ..] => format!("; cannot be told from: {first}, and {} more", others.len()),
+    };
+    format!("{words} ({known}{ambiguous})")
 }
 
 /// A diagnosis in sentences.

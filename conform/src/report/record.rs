@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::blame::{self, Blame, Follower};
+use crate::convention::Convention;
 use crate::diagnosis::{Ancestor, Diagnosis, Mistake};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 use crate::graph::equation;
@@ -41,6 +42,10 @@ pub struct Report {
     pub fixtures: BTreeMap<String, String>,
     /// The program under test.
     pub program: Program,
+    /// Conventions in which the program differs from the fixtures. They are not mistakes: its answers were translated.
+    pub conventions: Vec<Convention>,
+    /// What is wrong with the conventions in its hello, in words.
+    pub convention_errors: Vec<String>,
     /// Lines on its standard output that are not JSON objects.
     pub chatter: Chatter,
     /// Whether no answer failed, none changed when asked for again, every invalid state that was asked for was refused, and something is implemented.
@@ -228,6 +233,8 @@ impl Report {
                 no_hello: hello.err().map(ToString::to_string),
                 unknown: hello.into_iter().flat_map(Hello::unknown).map(String::from).collect(),
             },
+            conventions: examination.conventions.clone(),
+            convention_errors: examination.convention_errors.clone(),
             chatter: examination.chatter.clone(),
             passes: examination.passes(),
             memory: examination.memory.clone(),
