@@ -4,7 +4,7 @@
 //! right cases. Wrong factors and signs are computed from the answers by `factors`.
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// diagnose, factors, power;
+// invisible, diagnose, factors, power;
 // errata, heat, law, integral, gradient, inertia, reading, angle, layout, copied;
 // terms, quadrature, candidate, entries, observation, mistake.
 mod angle;
@@ -18,6 +18,7 @@ mod gradient;
 mod heat;
 mod inertia;
 mod integral;
+mod invisible;
 mod law;
 mod layout;
 mod mistake;
@@ -30,5 +31,6 @@ mod terms;
 mod tests;
 
 pub use diagnose::{Diagnosis, diagnose};
+pub use invisible::{Invisible, invisible};
 pub use mistake::{Mistake, MistakeKind};
 pub use observation::{Observation, Outcome};

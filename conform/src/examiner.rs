@@ -7,9 +7,11 @@ use serde_json::Value;
 
 use crate::answers::{Answers, CaseAnswer, judged};
 use crate::blame::{Blame, Status, WithGiven, blame};
-use crate::diagnosis::{Observation, Outcome, diagnose};
+use crate::diagnosis::{Observation, Outcome, diagnose, invisible};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 use crate::graph::{GRAPH, Node};
+use crate::lost_digits::LostDigits;
+use crate::precision::Precision;
 use crate::protocol::{Answer, Asked, Hello, announcement};
 use crate::subject::Subject;
 use crate::suite::{InvalidCase, Suite};
@@ -41,6 +43,10 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let mut examiner = Examiner { suite, subject, hello, questions: 0 };
     let answers = examiner.answers(&progress);
     let invalid = examiner.invalid();
+    let mut precision = Precision::found(suite, &answers);
+    let at_precision = precision.applied(suite, &answers);
+    let suite = at_precision.as_ref();
+    examiner.suite = suite;
     let verdicts = answers.judged(suite);
     let again: BTreeMap<&str, Vec<CaseVerdict>> = (verdicts.iter().zip(GRAPH))
         .filter(|((_, cases), node)| accepts_given && !node.given.is_empty() && any(cases, Verdict::fails))
@@ -49,7 +55,8 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let again = |quantity: &str| again.get(quantity).map(Vec::as_slice);
     let statuses = verdicts.iter().map(|(quantity, cases)| (*quantity, status(cases, again(quantity)))).collect();
     // A program that was not asked has no wrong equation.
-    let blame = if examiner.hello.is_ok() { blame(&statuses) } else { Blame::default() };
+    let lost = LostDigits::of(suite, &verdicts);
+    let blame = if examiner.hello.is_ok() { blame(&statuses, &lost) } else { Blame::default() };
     let culprits = blame.culprits.iter().filter_map(|culprit| {
         let (quantity, cases) = verdicts.iter().find(|(quantity, _)| *quantity == culprit.quantity)?;
         // Answers to reference inputs show the quantity's own mistake alone.
@@ -57,6 +64,10 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
         Some((*quantity, diagnose(quantity, &observations(suite, cases, own))))
     });
     let diagnoses = culprits.collect();
+    let is_reduced = |quantity: &str| precision.of(quantity).is_reduced();
+    let reduced =
+        verdicts.iter().filter(|(quantity, cases)| is_reduced(quantity) && any(cases, |v| v.digits().is_some()));
+    let invisible = reduced.flat_map(|(quantity, _)| invisible(quantity, suite)).collect();
     progress(1.0);
     Examination {
         description: examiner.subject.description(),
@@ -65,6 +76,8 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
         hello: examiner.hello,
         questions: examiner.questions,
         seconds: started.elapsed().as_secs_f64(),
+        precision,
+        invisible,
         verdicts,
         invalid,
         blame,

@@ -1,6 +1,6 @@
 //! Diagnosis of a wrong quantity: which known mistakes explain its answers.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use ancf::state::ElementState;
 use schemars::JsonSchema;
@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::candidate::Candidate;
 use super::entries::wrong_entries;
 use super::mistake::{Mistake, MistakeKind};
-use super::observation::{LOOSE, Observation, Outcome, distance};
+use super::observation::{Observation, Outcome, distance};
 use super::{angle, copied, errata, factors, gradient, heat, inertia, integral, law, layout, reading};
 use crate::suite::{Case, Reference, State};
 
@@ -17,6 +17,10 @@ use crate::suite::{Case, Reference, State};
 const MOST_NAMED: usize = 3;
 /// Number of correct digits from which a wrong answer counts as the right formula, computed imprecisely.
 const IMPRECISE_DIGITS: i32 = 6;
+/// Distance up to which mistakes explain answers equally well.
+const EQUALLY_NEAR: f64 = 0.1;
+/// Mistakes that are farther than the nearest by more than this factor explain the answers less well.
+const CLEARLY_FARTHER: f64 = 3.0;
 
 /// Diagnosis of a wrong quantity.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
@@ -67,6 +71,7 @@ fn mistakes(quantity: &str, observations: &[Observation]) -> Vec<Mistake> {
     if found.is_empty() {
         found.extend(factors::of_two_terms(quantity, &judged));
     }
+    let mut found = nearest(found);
     if found.is_empty() && imprecise(quantity, &judged) {
         let what = "the right formula: single precision, a difference quotient or a coarse quadrature".into();
         found.push(Mistake { kind: MistakeKind::Digits, what });
@@ -77,18 +82,32 @@ fn mistakes(quantity: &str, observations: &[Observation]) -> Vec<Mistake> {
     found
 }
 
-/// Candidates that explain every answer.
-fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> {
-    let mut found: Option<BTreeSet<Mistake>> = None;
+/// Mistakes that explain the answers about as well as the one that explains them best.
+fn nearest(found: Vec<(Mistake, f64)>) -> Vec<Mistake> {
+    let best = found.iter().map(|(_, away)| *away).fold(f64::INFINITY, f64::min);
+    let near = |(_, away): &(Mistake, f64)| *away <= (CLEARLY_FARTHER * best).max(EQUALLY_NEAR);
+    found.into_iter().filter(near).map(|(mistake, _)| mistake).collect()
+}
+
+/// Candidates that explain every answer, each with its largest distance.
+fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<(Mistake, f64)> {
+    let mut found: Option<BTreeMap<Mistake, f64>> = None;
     for observation in judged {
         let Some(reference) = observation.case.values.get(quantity) else { continue };
-        let fitting = candidates(quantity, observation.case, reference)
-            .into_iter()
-            .filter(|candidate| found.as_ref().is_none_or(|found| found.contains(&candidate.mistake)))
-            .filter(|candidate| explains(candidate, observation.outcome, reference))
-            .map(|candidate| candidate.mistake);
-        found = Some(fitting.collect());
-        if found.as_ref().is_some_and(BTreeSet::is_empty) {
+        let mut fitting: BTreeMap<Mistake, f64> = BTreeMap::new();
+        for candidate in candidates(quantity, observation.case, reference) {
+            let before = match &found {
+                Some(found) => found.get(&candidate.mistake).copied(),
+                None => Some(0.0),
+            };
+            let Some(before) = before else { continue };
+            let Some(away) = explains(&candidate, observation.outcome, reference) else { continue };
+            let nearest = fitting.entry(candidate.mistake).or_insert(f64::INFINITY);
+            *nearest = nearest.min(away.max(before));
+        }
+        let none = fitting.is_empty();
+        found = Some(fitting);
+        if none {
             break;
         }
     }
@@ -96,7 +115,7 @@ fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> 
 }
 
 /// All candidates for a quantity in one case. Wrong factors are not among them.
-fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -> Vec<Candidate<'a>> {
+pub(super) fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -> Vec<Candidate<'a>> {
     let mut all = errata::of(quantity, case);
     all.extend(layout::of(reference));
     all.extend(copied::of(quantity, case, reference));
@@ -108,18 +127,20 @@ fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a Reference) -
     all
 }
 
-/// Whether a candidate explains an answer. It explains a wrong one only if it is nearer than half the distance of the reference value.
-fn explains(candidate: &Candidate, outcome: Outcome, reference: &Reference) -> bool {
+/// Distance of a candidate that explains an answer. It explains a wrong one only if it is nearer than half the distance of the
+/// reference value.
+fn explains(candidate: &Candidate, outcome: Outcome, reference: &Reference) -> Option<f64> {
     let value = (candidate.value)();
-    match (outcome, value) {
-        (Outcome::Right, Some(value)) => distance(&value, &reference.numbers, reference) <= LOOSE,
+    let away = match (outcome, value) {
+        (Outcome::Right, Some(value)) => distance(&value, &reference.numbers, reference),
         (Outcome::Wrong(answer), Some(value)) => {
             let away = distance(&value, answer, reference);
-            away <= LOOSE && 2.0 * away < distance(&reference.numbers, answer, reference)
+            Some(away).filter(|away| 2.0 * away < distance(&reference.numbers, answer, reference))?
         }
-        (Outcome::Refused(_), None) => true,
-        _ => false,
-    }
+        (Outcome::Refused(_), None) => 0.0,
+        _ => return None,
+    };
+    (away <= 1.0).then_some(away)
 }
 
 /// Tags that all failing cases have and no right one.
@@ -136,9 +157,7 @@ fn common_tags(observations: &[Observation]) -> Vec<String> {
 fn imprecise(quantity: &str, judged: &[&Observation]) -> bool {
     judged.iter().all(|observation| match (observation.outcome, observation.case.values.get(quantity)) {
         (Outcome::Right, _) => true,
-        (Outcome::Wrong(answer), Some(reference)) => {
-            reference.worst_entry(answer).1 * reference.relative <= 10f64.powi(-IMPRECISE_DIGITS)
-        }
+        (Outcome::Wrong(answer), Some(reference)) => reference.error(answer) <= 10f64.powi(-IMPRECISE_DIGITS),
         _ => false,
     })
 }
