@@ -105,8 +105,10 @@ impl Precision {
             let answered = cases.iter().filter(|(_, answer)| answered::has_value(answer));
             for (n, _) in answered.filter(|_| form.is_reduced()) {
                 let Some(case) = suite.cases.get_mut(*n) else { continue };
-                let Some((tolerance, digits, because)) = attainable(form, quantity, case) else { continue };
-                if self.least.as_ref().is_none_or(|least| digits < least.digits) {
+                let Some((tolerance, least)) = attainable(form, quantity, case) else { continue };
+                if let Some((digits, because)) = least
+                    && self.least.as_ref().is_none_or(|least| digits < least.digits)
+                {
                     self.least = Some(Least { quantity, case: case.id.clone(), digits, because });
                 }
                 if let Some(reference) = case.values.get_mut(*quantity) {

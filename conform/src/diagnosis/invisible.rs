@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::diagnose::candidates;
-use super::mistake::Mistake;
+use super::mistake::{Mistake, MistakeKind};
 use crate::suite::{Case, Reference, Suite};
 
 /// A mistake that would be seen in double precision, but not at the precision of the program.
@@ -29,7 +29,9 @@ pub fn invisible(quantity: &'static str, suite: &Suite) -> Vec<Invisible> {
     let mut hidden: Option<BTreeMap<Mistake, bool>> = None;
     for (case, reference) in cases {
         let mut still = BTreeMap::new();
-        for candidate in candidates(quantity, case, reference) {
+        let formulas =
+            candidates(quantity, case, reference).into_iter().filter(|other| other.mistake.kind != MistakeKind::Digits);
+        for candidate in formulas {
             let before = match &hidden {
                 Some(hidden) => hidden.get(&candidate.mistake).copied(),
                 None => Some(false),

@@ -13,6 +13,8 @@ const ROUNDINGS: f64 = 32.0;
 const INPUTS: f64 = 4.0;
 /// Half a unit of the last digit, and a trifle for the rounding of the decimal itself.
 const HALF: f64 = 0.501;
+/// Size up to which terms count as zero.
+const NOTHING: f64 = 1e-100;
 
 /// Parts of a tolerance.
 #[derive(Clone, Copy, Debug)]
@@ -56,22 +58,24 @@ pub fn of_form(form: Form, reference: &Reference) -> impl Iterator<Item = Parts>
     })
 }
 
-/// Tolerance that a form can attain for a quantity in a case, with the digits in its worst entry and what takes the others.
-pub fn attainable(form: Form, quantity: &str, case: &Case) -> Option<(Tolerance, f64, &'static str)> {
+/// Tolerance that a form can attain for a quantity in a case; with the digits in its worst entry and what takes the others, unless all
+/// terms are zero.
+pub fn attainable(form: Form, quantity: &str, case: &Case) -> Option<(Tolerance, Option<(f64, &'static str)>)> {
     let reference = case.values.get(quantity)?;
     let inputs = form.single.then(|| changes(quantity, case, SINGLE)).flatten();
     let mut parts: Vec<Parts> = of_form(form, reference).collect();
     for (part, change) in parts.iter_mut().zip(inputs.into_iter().flatten()) {
         part.inputs = INPUTS * change;
     }
-    let lost = |(part, terms): &(&Parts, f64)| part.sum() / terms;
-    let (worst, terms) = parts.iter().zip(reference.terms()).max_by(|a, b| lost(a).total_cmp(&lost(b)))?;
-    let digits = -(worst.sum() / terms).log10();
+    // Where nothing is added up, there are no digits to lose.
+    let entries = parts.iter().zip(reference.terms()).filter(|(_, terms)| *terms > NOTHING);
+    let worst = entries.map(|(part, terms)| (part.sum() / terms, part.because())).max_by(|a, b| a.0.total_cmp(&b.0));
+    let least = worst.map(|(lost, because)| ((-lost.log10()).max(0.0), because));
     let printed = match form.printing {
         Printing::Significant(significant) => HALF * 10f64.powi(1 - significant),
         Printing::Full | Printing::Decimals(_) => 0.0,
     };
     let relative = reference.relative + printed + if form.single { ROUNDINGS * SINGLE } else { 0.0 };
     let absolute = parts.iter().map(|part| part.sum()).collect();
-    Some((Tolerance { absolute, relative }, digits, worst.because()))
+    Some((Tolerance { absolute, relative }, least))
 }

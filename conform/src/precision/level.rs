@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::answered::{Answered, CaseNumbers};
+use super::answered::Answered;
 use super::form::{Form, Printing};
 use crate::graph::find;
 
@@ -19,7 +19,7 @@ const HIDING: i32 = 8;
 
 /// Whether errors show single precision in numbers of a form that does not.
 ///
-/// With all digits: no quantity has more than ten correct digits in half of its cases, and half of the quantities have five at least.
+/// With all digits: every quantity has a case with ten correct digits at most, and half of the quantities have five in all cases.
 /// With few digits printed: three quantities have errors that single precision explains and printing does not, their inputs none.
 pub fn is_single(form: Form, quantities: &[Answered]) -> bool {
     match form.printing {
@@ -31,7 +31,7 @@ pub fn is_single(form: Form, quantities: &[Answered]) -> bool {
 
 fn no_answer_is_double(quantities: &[Answered]) -> bool {
     let digits: Vec<f64> =
-        quantities.iter().filter(|of| of.quantity != COPIED).filter_map(Answered::median_digits).collect();
+        quantities.iter().filter(|of| of.quantity != COPIED).filter_map(Answered::least_digits).collect();
     let single = digits.iter().filter(|digits| DIGITS_OF_SINGLE.contains(digits)).count();
     digits.len() >= LEAST_QUANTITIES
         && digits.iter().all(|digits| digits <= DIGITS_OF_SINGLE.end())
@@ -70,17 +70,9 @@ fn roots_are_single(form: Form, quantities: &[Answered]) -> bool {
 }
 
 impl Answered<'_> {
-    /// Median of the correct digits over the cases that tell.
-    fn median_digits(&self) -> Option<f64> {
+    /// Fewest correct digits in the cases that tell.
+    fn least_digits(&self) -> Option<f64> {
         let telling = self.cases.iter().filter(|case| case.is_telling());
-        let mut digits: Vec<f64> = telling.map(CaseNumbers::digits).collect();
-        digits.sort_by(f64::total_cmp);
-        digits.get(digits.len() / 2).copied()
-    }
-}
-
-impl CaseNumbers<'_> {
-    fn digits(&self) -> f64 {
-        self.reference.digits(&self.answer)
+        telling.map(|case| case.reference.digits(&case.answer)).reduce(f64::min)
     }
 }

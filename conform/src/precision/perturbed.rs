@@ -43,7 +43,7 @@ pub fn changes(quantity: &str, case: &Case, by: f64) -> Option<Vec<f64>> {
     let right = &case.values.get(quantity)?.numbers;
     let mut changes = vec![0.0; right.len()];
     for sample in 1..=SAMPLES {
-        let mut signs = Signs(sample * 0x9E37_79B9);
+        let mut signs = Signs(sample.wrapping_mul(0x9E37_79B9));
         let value = match &case.state {
             State::Element(state) => evaluate(quantity, &signs.beam(state, by)),
             State::Cable(state) => evaluate_cable(quantity, &signs.beam(state, by)),

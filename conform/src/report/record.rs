@@ -140,7 +140,8 @@ pub struct LeastAttainable {
     pub quantity: &'static str,
     /// Name of the case.
     pub case: String,
-    /// Digits of the tolerance, relative to the size of the terms that are added up; negative if it is larger than they are.
+    /// Digits of the tolerance, relative to the size of the terms that are added up.
+    #[schemars(range(min = 0, max = 16))]
     pub digits: f64,
     /// What takes the other digits.
     pub because: &'static str,
