@@ -17,8 +17,10 @@ use crate::suite::{Case, Reference, State};
 const MOST_NAMED: usize = 3;
 /// Number of correct digits from which a wrong answer counts as the right formula, computed imprecisely.
 const IMPRECISE_DIGITS: i32 = 6;
-/// Distance up to which mistakes explain answers equally well.
-const EQUALLY_NEAR: f64 = 0.1;
+/// Distance up to which any mistake explains answers well: the tolerance that the program can attain.
+const WELL: f64 = 0.5;
+/// Distance up to which values of deliberate mistakes explain answers equally well.
+const EQUALLY_WELL: f64 = 0.1;
 /// Mistakes that are farther than the nearest by more than this factor explain the answers less well.
 const CLEARLY_FARTHER: f64 = 3.0;
 
@@ -66,12 +68,13 @@ fn mistakes(quantity: &str, observations: &[Observation]) -> Vec<Mistake> {
     }
     // Failing cases come first because they exclude most candidates.
     let judged = [failing, right].concat();
-    let mut found = deliberate_mistakes(quantity, &judged);
+    let mut found = nearest(deliberate_mistakes(quantity, &judged), EQUALLY_WELL);
     found.extend(factors::of_one_term(quantity, &judged));
     if found.is_empty() {
         found.extend(factors::of_two_terms(quantity, &judged));
     }
-    let mut found = nearest(found);
+    // Factors are fitted to the answers, which brings them nearer than a value that is known beforehand.
+    let mut found: Vec<Mistake> = nearest(found, WELL).into_iter().map(|(mistake, _)| mistake).collect();
     if found.is_empty() && imprecise(quantity, &judged) {
         let what = "the right formula: single precision, a difference quotient or a coarse quadrature".into();
         found.push(Mistake { kind: MistakeKind::Digits, what });
@@ -82,11 +85,11 @@ fn mistakes(quantity: &str, observations: &[Observation]) -> Vec<Mistake> {
     found
 }
 
-/// Mistakes that explain the answers about as well as the one that explains them best.
-fn nearest(found: Vec<(Mistake, f64)>) -> Vec<Mistake> {
+/// Mistakes that explain the answers about as well as the one that explains them best, or up to a distance.
+fn nearest(mut found: Vec<(Mistake, f64)>, enough: f64) -> Vec<(Mistake, f64)> {
     let best = found.iter().map(|(_, away)| *away).fold(f64::INFINITY, f64::min);
-    let near = |(_, away): &(Mistake, f64)| *away <= (CLEARLY_FARTHER * best).max(EQUALLY_NEAR);
-    found.into_iter().filter(near).map(|(mistake, _)| mistake).collect()
+    found.retain(|(_, away)| *away <= (CLEARLY_FARTHER * best).max(enough));
+    found
 }
 
 /// Candidates that explain every answer, each with its largest distance.

@@ -1,5 +1,6 @@
 //! Answers that are numbers, with their reference values.
 
+use super::number::digits;
 use crate::answers::{Answers, CaseAnswer};
 use crate::protocol::{self, Answer};
 use crate::suite::{Reference, Suite};
@@ -70,7 +71,7 @@ impl CaseNumbers<'_> {
     }
 }
 
-/// Whether a reference value has so many digits that an answer shows its own precision.
+/// Whether a reference value has so many digits that an answer shows its own precision, in binary form, too.
 pub fn is_telling(right: f64) -> bool {
-    super::number::digits(right).significant >= TELLING
+    digits(right).significant >= TELLING && f64::from(right as f32) != right
 }

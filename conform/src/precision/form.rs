@@ -6,7 +6,7 @@ use super::number::{Digits, digits, is_single, last_digit, single_spacing};
 /// Least number of telling numbers that show a form.
 const LEAST_NUMBERS: usize = 12;
 /// Numbers of digits that count as few. More are no loss, fewer no numbers.
-const FEW: std::ops::RangeInclusive<i32> = 3..=14;
+const FEW: std::ops::RangeInclusive<i32> = 4..=14;
 /// Numbers of decimals that count as few.
 const FEW_DECIMALS: std::ops::RangeInclusive<i32> = 2..=12;
 /// Least share of numbers that use all digits of the form: nine of ten do, as the last digit is not 0.
