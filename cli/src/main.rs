@@ -108,6 +108,10 @@ enum Command {
         /// Never hand over intermediate values, also to a program that takes them.
         #[arg(long)]
         no_given: bool,
+        /// Correct digits that every answer must have, relative to the terms that are added up, from 1 to 16; exit code 1 where one has
+        /// fewer [default: what the program's own precision allows].
+        #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=16))]
+        digits: Option<u8>,
         /// Exit code 0 in place of 3 for a program that is right, but answers what it implements in some cases only.
         #[arg(long)]
         allow_partial: bool,
@@ -182,9 +186,9 @@ fn main() -> ExitCode {
             error_time::study(&options, &out.folder, print).map_err(Error::from)
         }
         Some(Command::Equations { state }) => print_equations(state),
-        Some(Command::Conform { fixtures, time_limit, no_given, allow_partial, out, command }) => {
+        Some(Command::Conform { fixtures, time_limit, no_given, digits, allow_partial, out, command }) => {
             let options = Options { given: !no_given };
-            conform(command, *time_limit, fixtures.as_deref(), options, *allow_partial, &out.folder)
+            conform(command, *time_limit, fixtures.as_deref(), options, *digits, *allow_partial, &out.folder)
         }
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
@@ -280,6 +284,7 @@ fn conform(
     time_limit: Duration,
     fixtures: Option<&Path>,
     options: Options,
+    digits: Option<u8>,
     allow_partial: bool,
     folder: &Path,
 ) -> Result<()> {
@@ -291,6 +296,9 @@ fn conform(
     let examination = examine(&suite, &mut program, options, |share| bar.set_position((100.0 * share) as u64));
     bar.finish_and_clear();
     let mut report = Report::new(&suite, &examination);
+    if let Some(digits) = digits {
+        report.demand(&suite, &examination, digits);
+    }
     let text = report.markdown();
     // Keys of JSON in alphabetical order.
     files.identify(serde_json::to_value(&report).unwrap_or_default().to_string().as_bytes());

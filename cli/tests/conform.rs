@@ -424,6 +424,7 @@ fn a_command_that_cannot_be_used_leaves_nothing() {
         (&["conform", "--", "./no-such-program"], 2, "cannot start the command `./no-such-program`"),
         (&["conform", "--fixtures", "nowhere", "--", "true"], 2, "cannot read nowhere/equations.json"),
         (&["conform", "--time-limit", "0", "--", "true"], 2, "allowed: a number over 0 and up to 3600"),
+        (&["conform", "--digits", "17", "--", "true"], 2, "17 is not in 1..=16"),
     ] {
         let output = ancf(folder.path(), arguments);
         let message = String::from_utf8(output.stderr).unwrap();

@@ -1,9 +1,8 @@
 //! Answers as they came, before they are judged.
 
-use crate::examination::CaseVerdict;
 use crate::protocol::{self, Answer};
 use crate::suite::{Reference, Suite};
-use crate::verdict::{Fault, Verdict};
+use crate::verdict::{CaseVerdict, Fault, Verdict};
 
 /// Index of a case in [`Suite::cases`], and the answer in it.
 pub type CaseAnswer = (usize, Result<Answer, Fault>);

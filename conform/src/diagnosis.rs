@@ -4,7 +4,7 @@
 //! right cases. Wrong factors and signs are computed from the answers by `factors`.
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// ancestors, diagnose, factors, power;
+// invisible, ancestors, diagnose, factors, power;
 // errata, heat, law, integral, gradient, inertia, reading, angle, copied;
 // terms, cable, chain, layout, quadrature, jet, candidate, entries, observation, mistake.
 mod ancestors;
@@ -21,6 +21,7 @@ mod gradient;
 mod heat;
 mod inertia;
 mod integral;
+mod invisible;
 mod jet;
 mod law;
 mod layout;
@@ -35,5 +36,6 @@ mod tests;
 
 pub use ancestors::{Ancestor, Seen, ancestors};
 pub use diagnose::{Diagnosis, diagnose};
+pub use invisible::{Invisible, invisible};
 pub use mistake::{Mistake, MistakeKind};
 pub use observation::{Observation, Outcome};

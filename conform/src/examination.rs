@@ -7,14 +7,14 @@ use serde::Serialize;
 
 use crate::blame::Blame;
 use crate::convention::Convention;
-use crate::diagnosis::{Ancestor, Diagnosis};
+use crate::diagnosis::{Ancestor, Diagnosis, Invisible};
 use crate::memory::Memory;
+use crate::precision::Precision;
 use crate::protocol::Hello;
 use crate::subject::Chatter;
 use crate::verdict::{Fault, Verdict};
 
-/// Index of a case in [`Suite::cases`](crate::Suite::cases), and the verdict on the answer in it.
-pub type CaseVerdict = (usize, Verdict);
+pub use crate::verdict::CaseVerdict;
 
 /// All results of an examination.
 #[derive(Debug)]
@@ -29,6 +29,10 @@ pub struct Examination {
     pub convention_errors: Vec<String>,
     /// Lines on the program's standard output that are not JSON objects.
     pub chatter: Chatter,
+    /// Precision of the answers, at which they are judged.
+    pub precision: Precision,
+    /// Mistakes that this precision hides, in the quantities that the program answers.
+    pub invisible: Vec<Invisible>,
     /// Verdicts by quantity and case, in the order of the questions.
     pub verdicts: Vec<(&'static str, Vec<CaseVerdict>)>,
     /// Verdicts on the states that must be refused, in the order of [`Suite::invalid`](crate::Suite::invalid).

@@ -8,11 +8,13 @@ use serde_json::Value;
 use crate::answers::{Answers, CaseAnswer, judged};
 use crate::blame::{Blame, Status, WithGiven, blame};
 use crate::convention::{self, Conventions, Declared};
-use crate::diagnosis::{Ancestor, Observation, Outcome, Seen, ancestors, diagnose};
+use crate::diagnosis::{Ancestor, Observation, Outcome, Seen, ancestors, diagnose, invisible};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 use crate::given::{scaled, unread};
 use crate::graph::{GRAPH, Node};
+use crate::lost_digits::LostDigits;
 use crate::memory::Repetition;
+use crate::precision::Precision;
 use crate::protocol::{Answer, Asked, Hello, announcement};
 use crate::subject::Subject;
 use crate::suite::{InvalidCase, Suite};
@@ -48,6 +50,11 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let conventions = declared.conventions.clone();
     let mut examiner = Examiner { suite, subject, hello, conventions, questions: 0 };
     let answers = examiner.answers(&progress);
+    // The form of the numbers shows before they are translated.
+    let mut precision = Precision::found(suite, &answers);
+    let at_precision = precision.applied(suite, &answers);
+    let suite = at_precision.as_ref();
+    examiner.suite = suite;
     let found = convention::infer(suite, &declared, answers, &mut |quantity, n, conventions| {
         examiner.ask(quantity, n, &[], conventions)
     });
@@ -74,7 +81,8 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let statuses: BTreeMap<&str, Status> =
         verdicts.iter().map(|(quantity, cases)| (*quantity, status(cases, again(quantity)))).collect();
     // A program that was not asked has no wrong equation.
-    let mut blame = if examiner.hello.is_ok() { blame(&statuses, &unread) } else { Blame::default() };
+    let lost = LostDigits::of(suite, &verdicts);
+    let mut blame = if examiner.hello.is_ok() { blame(&statuses, &unread, &lost) } else { Blame::default() };
     if let Some(memory) = &mut memory {
         examiner.repeat(&answers, |repetition| repetition.acquit(memory, &mut blame, &failing));
     }
@@ -86,6 +94,10 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     });
     let diagnoses = culprits.collect();
     let ancestors = ancestors_of(suite, &blame, &verdicts, &statuses);
+    let is_reduced = |quantity: &str| precision.of(quantity).is_reduced();
+    let reduced =
+        verdicts.iter().filter(|(quantity, cases)| is_reduced(quantity) && any(cases, |v| v.digits().is_some()));
+    let invisible = reduced.flat_map(|(quantity, _)| invisible(quantity, suite)).collect();
     progress(1.0);
     Examination {
         description: examiner.subject.description(),
@@ -96,6 +108,8 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
         convention_errors: declared.errors,
         questions: examiner.questions,
         seconds: started.elapsed().as_secs_f64(),
+        precision,
+        invisible,
         verdicts,
         invalid,
         blame,

@@ -39,11 +39,9 @@ fn is_read(suite: &Suite, node: &Node, input: &str, cases: &[CaseVerdict], ask: 
         .collect();
     // Most tags, most terms.
     usable.sort_by_key(|(_, case, _)| std::cmp::Reverse(case.tags.len()));
-    usable.into_iter().take(STATES).any(|(n, _, quantity)| {
-        match (ask(n, None), ask(n, Some(input))) {
-            (Ok(Answer::Value(before)), Ok(Answer::Value(after))) => differ(&before, &after, quantity),
-            (before, after) => before != after,
-        }
+    usable.into_iter().take(STATES).any(|(n, _, quantity)| match (ask(n, None), ask(n, Some(input))) {
+        (Ok(Answer::Value(before)), Ok(Answer::Value(after))) => differ(&before, &after, quantity),
+        (before, after) => before != after,
     })
 }
 

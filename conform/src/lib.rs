@@ -25,8 +25,8 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, given, examination, memory, convention, answers, diagnosis, blame, program, subject, process,
-// protocol;
+// schema, report, examiner, given, examination, diagnosis, blame, memory, convention, lost_digits, precision, answers, program,
+// subject, process, protocol;
 // equations_text, state_file; verdict, suite, numbers, graph, error.
 mod answers;
 mod blame;
@@ -38,8 +38,10 @@ mod examination;
 mod examiner;
 mod given;
 mod graph;
+mod lost_digits;
 mod memory;
 mod numbers;
+mod precision;
 mod process;
 mod program;
 mod protocol;
@@ -52,18 +54,19 @@ mod verdict;
 
 pub use blame::{Blame, Culprit, Follower};
 pub use convention::{Convention, How};
-pub use diagnosis::{Ancestor, Diagnosis, Mistake, MistakeKind};
+pub use diagnosis::{Ancestor, Diagnosis, Invisible, Mistake, MistakeKind};
 pub use equations_text::equations_text;
 pub use error::{Error, Result};
 pub use examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 pub use examiner::{Options, examine};
 pub use graph::{GRAPH, Node};
 pub use memory::{ChangedAnswer, EarlierQuestion, Memory, When};
+pub use precision::{Form, Least, Precision, Printing};
 pub use program::{MOST_STARTS, Program};
 pub use protocol::{Answer, AnswerLine, Asked, Hello, Question, numbers as read_numbers, read as read_answer};
 pub use report::Report;
 pub use schema::schemas;
 pub use state_file::load as load_state;
 pub use subject::{Chatter, Code, Subject};
-pub use suite::{Case, InvalidCase, Length, Per, Quantity, Reference, State, Suite};
+pub use suite::{Case, InvalidCase, Length, Per, Quantity, Reference, State, Suite, Tolerance};
 pub use verdict::{Fault, Verdict, Wrong};

@@ -4,6 +4,6 @@ mod markdown;
 mod record;
 
 pub use record::{
-    CaseFault, Counts, CulpritResult, FailingCase, Failure, InvalidResult, PartlyChecked, Program, QuantityResult,
-    Report,
+    CaseFault, Counts, CulpritResult, FailingCase, Failure, FewerDigits, InvalidResult, LeastAttainable,
+    OtherPrecision, PartlyChecked, PrecisionResult, Program, QuantityResult, Report,
 };

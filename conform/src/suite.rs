@@ -26,7 +26,7 @@ const FILES: [(&str, &str); 4] = [
 ];
 
 /// All states with their reference values, and the states that must be refused.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Suite {
     /// Version of each fixture file, by name.
     pub versions: BTreeMap<String, String>,
@@ -74,7 +74,7 @@ pub enum Length {
 }
 
 /// A state with its reference values.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Case {
     /// Name; those of `cable.json` begin with `cable-`.
     pub id: String,
@@ -89,7 +89,7 @@ pub struct Case {
 }
 
 /// A state to compute with.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum State {
     /// State of an ANCF element.
     Element(Box<ElementState>),
@@ -113,6 +113,17 @@ pub struct Reference {
     /// Absolute tolerance of each entry.
     pub absolute: Vec<f64>,
     /// `absolute` divided by the size of the terms that are added up.
+    pub relative: f64,
+    /// Wider tolerances, of a program below double precision; `None` for those of the fixtures.
+    pub attainable: Option<Tolerance>,
+}
+
+/// Tolerances of a reference value at the precision of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Absolute tolerance of each entry.
+    pub absolute: Vec<f64>,
+    /// Rounding of a term, relative to the term.
     pub relative: f64,
 }
 
@@ -255,7 +266,7 @@ impl Reference {
                 "`absolute` and `relative` must be positive, `absolute` one number or one for each entry".into()
             );
         }
-        Ok(Reference { json, per_point, shape, numbers, absolute, relative })
+        Ok(Reference { json, per_point, shape, numbers, absolute, relative, attainable: None })
     }
 
     /// Shape of the value at one point, or of the whole value of an element.
@@ -263,12 +274,35 @@ impl Reference {
         if self.per_point { self.shape.get(1..).unwrap_or_default() } else { &self.shape }
     }
 
+    /// Absolute tolerances at the precision of the program.
+    pub(crate) fn tolerances(&self) -> &[f64] {
+        self.attainable.as_ref().map_or(&self.absolute, |attainable| &attainable.absolute)
+    }
+
+    /// Size of the terms that are added up for an entry.
+    pub(crate) fn terms(&self) -> impl Iterator<Item = f64> {
+        self.absolute.iter().map(|bound| bound / self.relative)
+    }
+
     /// Entry with the largest error, and that error in tolerances. A NaN is the largest error of all.
     pub(crate) fn worst_entry(&self, answer: &[f64]) -> (usize, f64) {
-        let entries = answer.iter().zip(&self.numbers).zip(&self.absolute).enumerate();
+        let entries = answer.iter().zip(&self.numbers).zip(self.tolerances()).enumerate();
         entries
             .map(|(n, ((a, b), bound))| (n, (a - b).abs() / bound))
             .fold((0, 0.0), |worst, next| if next.1 > worst.1 || next.1.is_nan() { next } else { worst })
+    }
+
+    /// Largest error of an entry relative to its terms.
+    pub(crate) fn error(&self, answer: &[f64]) -> f64 {
+        let entries = answer.iter().zip(&self.numbers).zip(self.terms());
+        entries
+            .map(|((a, b), terms)| (a - b).abs() / terms)
+            .fold(0.0, |worst: f64, next| if next.is_nan() { f64::INFINITY } else { worst.max(next) })
+    }
+
+    /// Correct digits of the worst entry, as many as there are: infinite where every entry is exact.
+    pub(crate) fn digits(&self, answer: &[f64]) -> f64 {
+        -self.error(answer).log10()
     }
 }
 

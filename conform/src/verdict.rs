@@ -8,12 +8,15 @@ use crate::suite::Reference;
 /// Largest number of correct digits that is reported: the precision of f64.
 const MOST_DIGITS: f64 = 16.0;
 
+/// Index of a case in [`Suite::cases`](crate::Suite::cases), and the verdict on the answer in it.
+pub type CaseVerdict = (usize, Verdict);
+
 /// Judgement of one answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Every entry is within its tolerance.
+    /// Every entry is within its tolerance at the precision of the program.
     Pass {
-        /// Correct digits of the worst entry.
+        /// Correct digits of the worst entry, relative to its terms.
         digits: f64,
     },
     /// At least one number is out of tolerance.
@@ -100,7 +103,7 @@ impl Verdict {
             return Verdict::Fault(Fault::Shape(format!("{found} numbers; expected {expected}")));
         }
         let (entry, worst) = reference.worst_entry(&answer);
-        let digits = (-(worst * reference.relative).log10()).clamp(0.0, MOST_DIGITS);
+        let digits = reference.digits(&answer).clamp(0.0, MOST_DIGITS);
         if worst <= 1.0 {
             return Verdict::Pass { digits };
         }
@@ -135,7 +138,8 @@ mod tests {
 
     fn reference() -> Reference {
         let (numbers, absolute) = (vec![1.0, 200.0], vec![1e-13, 1e-11]);
-        Reference { json: Value::Null, per_point: false, shape: vec![2], numbers, absolute, relative: 1e-13 }
+        let json = Value::Null;
+        Reference { json, per_point: false, shape: vec![2], numbers, absolute, relative: 1e-13, attainable: None }
     }
 
     #[test]

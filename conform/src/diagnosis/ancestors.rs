@@ -260,8 +260,8 @@ impl<'a> Search<'a> {
             replaced.extend(values);
         }
         match in_case.chain.value(quantity, &replaced) {
-            Some(value) => explains(Some(&value), observation.outcome, reference),
-            None => quantity != culprit || explains(Some(&reference.numbers), observation.outcome, reference),
+            Some(value) => explains(Some(&value), observation.outcome, reference).is_some(),
+            None => quantity != culprit || explains(Some(&reference.numbers), observation.outcome, reference).is_some(),
         }
     }
 }

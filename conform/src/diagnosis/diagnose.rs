@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::candidate::Candidate;
 use super::entries::wrong_entries;
 use super::mistake::{Mistake, MistakeKind};
-use super::observation::{LOOSE, Observation, Outcome, distance};
+use super::observation::{Observation, Outcome, distance};
 use super::{angle, cable, copied, errata, factors, gradient, heat, inertia, integral, law, layout, reading};
 use crate::suite::{Case, Reference, State};
 
@@ -19,6 +19,12 @@ const MOST_NAMED: usize = 3;
 const LEAST_OF_TWO: usize = 2;
 /// Number of correct digits from which a wrong answer counts as the right formula, computed imprecisely.
 const IMPRECISE_DIGITS: i32 = 6;
+/// Distance up to which any mistake explains answers well: the tolerance that the program can attain.
+const WELL: f64 = 0.5;
+/// Distance up to which values of deliberate mistakes explain answers equally well.
+const EQUALLY_WELL: f64 = 0.1;
+/// Mistakes that are farther than the nearest by more than this factor explain the answers less well.
+const CLEARLY_FARTHER: f64 = 3.0;
 
 /// Diagnosis of a wrong quantity.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
@@ -71,11 +77,13 @@ fn mistakes(quantity: &str, observations: &[Observation]) -> Vec<Mistake> {
     }
     // Failing cases come first because they exclude most candidates.
     let judged = [failing, right].concat();
-    let mut found = deliberate_mistakes(quantity, &judged);
+    let mut found = nearest(deliberate_mistakes(quantity, &judged), EQUALLY_WELL);
     found.extend(factors::of_one_term(quantity, &judged));
     if found.is_empty() {
         found.extend(factors::of_two_terms(quantity, &judged));
     }
+    // Factors are fitted to the answers, which brings them nearer than a value that is known beforehand.
+    let mut found: Vec<Mistake> = nearest(found, WELL).into_iter().map(|(mistake, _)| mistake).collect();
     if found.is_empty() && imprecise(quantity, &judged) {
         let what = "the right formula: single precision, a difference quotient or a coarse quadrature".into();
         found.push(Mistake { kind: MistakeKind::Digits, what });
@@ -108,18 +116,32 @@ fn two_mistakes(quantity: &str, observations: &[Observation]) -> Option<[Mistake
     })
 }
 
-/// Candidates that explain every answer.
-fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<Mistake> {
-    let mut found: Option<BTreeSet<Mistake>> = None;
+/// Mistakes that explain the answers about as well as the one that explains them best, or up to a distance.
+fn nearest(mut found: Vec<(Mistake, f64)>, enough: f64) -> Vec<(Mistake, f64)> {
+    let best = found.iter().map(|(_, away)| *away).fold(f64::INFINITY, f64::min);
+    found.retain(|(_, away)| *away <= (CLEARLY_FARTHER * best).max(enough));
+    found
+}
+
+/// Candidates that explain every answer, each with its largest distance.
+fn deliberate_mistakes(quantity: &str, judged: &[&Observation]) -> Vec<(Mistake, f64)> {
+    let mut found: Option<BTreeMap<Mistake, f64>> = None;
     for observation in judged {
         let Some(reference) = observation.case.values.get(quantity) else { continue };
-        let fitting = candidates(quantity, observation.case, reference)
-            .into_iter()
-            .filter(|candidate| found.as_ref().is_none_or(|found| found.contains(&candidate.mistake)))
-            .filter(|candidate| explains((candidate.value)().as_deref(), observation.outcome, reference))
-            .map(|candidate| candidate.mistake);
-        found = Some(fitting.collect());
-        if found.as_ref().is_some_and(BTreeSet::is_empty) {
+        let mut fitting: BTreeMap<Mistake, f64> = BTreeMap::new();
+        for candidate in candidates(quantity, observation.case, reference) {
+            let before = match &found {
+                Some(found) => found.get(&candidate.mistake).copied(),
+                None => Some(0.0),
+            };
+            let Some(before) = before else { continue };
+            let Some(away) = explains((candidate.value)().as_deref(), observation.outcome, reference) else { continue };
+            let nearest = fitting.entry(candidate.mistake).or_insert(f64::INFINITY);
+            *nearest = nearest.min(away.max(before));
+        }
+        let none = fitting.is_empty();
+        found = Some(fitting);
+        if none {
             break;
         }
     }
@@ -142,18 +164,19 @@ pub(super) fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a R
     all
 }
 
-/// Whether the value that a mistake gives explains an answer. It explains a wrong one only if it is nearer than half the distance of the
-/// reference value.
-pub(super) fn explains(value: Option<&[f64]>, outcome: Outcome, reference: &Reference) -> bool {
-    match (outcome, value) {
-        (Outcome::Right, Some(value)) => distance(value, &reference.numbers, reference) <= LOOSE,
+/// Distance of the value that a mistake gives from an answer that it explains. It explains a wrong one only if it is nearer than half the
+/// distance of the reference value.
+pub(super) fn explains(value: Option<&[f64]>, outcome: Outcome, reference: &Reference) -> Option<f64> {
+    let away = match (outcome, value) {
+        (Outcome::Right, Some(value)) => distance(value, &reference.numbers, reference),
         (Outcome::Wrong(answer), Some(value)) => {
             let away = distance(value, answer, reference);
-            away <= LOOSE && 2.0 * away < distance(&reference.numbers, answer, reference)
+            Some(away).filter(|away| 2.0 * away < distance(&reference.numbers, answer, reference))?
         }
-        (Outcome::Refused(_), None) => true,
-        _ => false,
-    }
+        (Outcome::Refused(_), None) => 0.0,
+        _ => return None,
+    };
+    (away <= 1.0).then_some(away)
 }
 
 /// Tags that all failing cases have and no right one.
@@ -170,9 +193,7 @@ pub(super) fn common_tags(observations: &[Observation]) -> Vec<String> {
 fn imprecise(quantity: &str, judged: &[&Observation]) -> bool {
     judged.iter().all(|observation| match (observation.outcome, observation.case.values.get(quantity)) {
         (Outcome::Right, _) => true,
-        (Outcome::Wrong(answer), Some(reference)) => {
-            reference.worst_entry(answer).1 * reference.relative <= 10f64.powi(-IMPRECISE_DIGITS)
-        }
+        (Outcome::Wrong(answer), Some(reference)) => reference.error(answer) <= 10f64.powi(-IMPRECISE_DIGITS),
         _ => false,
     })
 }

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::record::{Counts, FailingCase, Failure, QuantityResult, Report};
+use super::record::{
+    Counts, FailingCase, Failure, FewerDigits, LeastAttainable, OtherPrecision, PrecisionResult, QuantityResult, Report,
+};
 use crate::convention::{Convention, How};
 use crate::diagnosis::{Ancestor, Diagnosis};
 use crate::examination::InvalidOutcome;
@@ -33,6 +35,10 @@ impl Report {
         }
         if let Some(digits) = self.quantities.iter().filter_map(|row| row.counts.digits).reduce(f64::min) {
             text += &format!(" At least {digits:.1} correct digits.");
+        }
+        if let (Some(demanded), false) = (self.precision.demanded, self.precision.fewer.is_empty()) {
+            let names: Vec<&str> = self.precision.fewer.iter().map(|fewer| fewer.quantity).collect();
+            text += &format!(" Fewer than the {demanded} digits demanded: {}.", names.join(", "));
         }
         let all = self.invalid.len();
         let states = |outcome| self.invalid.iter().filter(|row| row.verdict.outcome == outcome).count();
@@ -64,7 +70,12 @@ impl Report {
     }
 
     fn write_markdown(&self, out: &mut String) -> std::fmt::Result {
-        writeln!(out, "## Conformance of {}\n\n{}\n", plain(&self.program.name), self.summary())?;
+        writeln!(out, "## Conformance of {}\n", plain(&self.program.name))?;
+        let precision = self.precision.text();
+        if !precision.is_empty() {
+            writeln!(out, "{precision}\n")?;
+        }
+        writeln!(out, "{}\n", self.summary())?;
         self.write_conversation(out)?;
         self.write_memory(out)?;
         self.write_silent(out)?;
@@ -224,6 +235,50 @@ impl Report {
             writeln!(out, "\n{what}: `{id}`, asked for {equation}: {came}; `{key}` is invalid: {because}.")?;
         }
         Ok(())
+    }
+}
+
+impl PrecisionResult {
+    /// The precision in words; empty in double precision if no digits are demanded.
+    pub fn text(&self) -> String {
+        let mut sentences = Vec::new();
+        if let Some(least) = &self.least_attainable {
+            let attained = |digits: Option<f64>| digits.map_or("no".into(), |digits| format!("{digits:.1}"));
+            let by = if self.by_errors { ", as the size of its errors shows" } else { "" };
+            sentences.push(format!(
+                "**{}**{by}: right answers have {} correct digits at least, {} in the median.",
+                capitalised(&self.kind),
+                attained(self.least_digits),
+                attained(self.median_digits)
+            ));
+            for OtherPrecision { kind, quantities } in &self.others {
+                let names: Vec<String> = quantities.iter().map(|quantity| format!("`{quantity}`")).collect();
+                sentences.push(format!("{}: {}.", capitalised(kind), names.join(", ")));
+            }
+            let LeastAttainable { quantity, case, digits, because } = least;
+            sentences.push(format!(
+                "The least can be attained in `{quantity}`, `{}`: {digits:.1} digits ({because}).",
+                cell(case)
+            ));
+        }
+        match self.invisible.len() {
+            0 => {}
+            n => sentences.push(format!("{n} known mistakes are invisible at this precision.")),
+        }
+        if let (Some(demanded), Some(worst)) = (self.demanded, self.fewest()) {
+            let FewerDigits { quantity, case, digits } = worst;
+            sentences.push(format!(
+                "{} quantities have fewer than the {demanded} digits that are demanded, `{quantity}` the fewest: {digits:.1} in `{}`.",
+                self.fewer.len(),
+                cell(case)
+            ));
+        }
+        sentences.join(" ")
+    }
+
+    /// Quantity with the fewest digits of those that have fewer than demanded.
+    fn fewest(&self) -> Option<&FewerDigits> {
+        self.fewer.iter().min_by(|a, b| a.digits.total_cmp(&b.digits))
     }
 }
 

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::blame::{self, Blame, Follower};
 use crate::convention::Convention;
-use crate::diagnosis::{Ancestor, Diagnosis, Mistake};
+use crate::diagnosis::{Ancestor, Diagnosis, Invisible, Mistake};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 use crate::graph::equation;
 use crate::memory::Memory;
@@ -48,7 +48,9 @@ pub struct Report {
     pub convention_errors: Vec<String>,
     /// Lines on its standard output that are not JSON objects.
     pub chatter: Chatter,
-    /// Whether no answer failed, none changed when asked for again, every invalid state that was asked for was refused, and something is implemented.
+    /// What it can attain, at which its answers are judged.
+    pub precision: PrecisionResult,
+    /// Whether no answer failed, had fewer digits than demanded, or changed when asked for again, every invalid state that was asked for was refused, and something is implemented.
     pub passes: bool,
     /// Evidence that answers depend on what was asked before; null if none was found. No equation is blamed for a quantity in it.
     pub memory: Option<Memory>,
@@ -102,6 +104,70 @@ pub struct Program {
     pub no_hello: Option<String>,
     /// Names in hello that are not asked for.
     pub unknown: Vec<String>,
+}
+
+/// Precision of a program's answers.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct PrecisionResult {
+    /// The precision in words, such as "single precision" or "six significant digits printed".
+    pub kind: String,
+    /// Whether the size of the errors shows it; otherwise all numbers have the form.
+    pub by_errors: bool,
+    /// Quantities with answers of another precision.
+    pub others: Vec<OtherPrecision>,
+    /// Correct digits of the worst right answer, at most 16; null without right answers.
+    #[schemars(range(min = 0, max = 16))]
+    pub least_digits: Option<f64>,
+    /// Median of the correct digits of right answers, at most 16; null without right answers.
+    #[schemars(range(min = 0, max = 16))]
+    pub median_digits: Option<f64>,
+    /// Case in which the least digits can be attained; null in double precision.
+    pub least_attainable: Option<LeastAttainable>,
+    /// Mistakes that would be seen in double precision, but not in these answers.
+    pub invisible: Vec<Invisible>,
+    /// Digits that every answer must have; null if none are demanded.
+    pub demanded: Option<u8>,
+    /// Quantities that have fewer digits than demanded.
+    pub fewer: Vec<FewerDigits>,
+}
+
+/// Quantities whose answers have another precision than most.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct OtherPrecision {
+    /// Their precision in words.
+    pub kind: String,
+    /// Names of the quantities.
+    pub quantities: Vec<&'static str>,
+}
+
+/// Case in which a program can attain the least digits.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LeastAttainable {
+    /// Name of the quantity.
+    pub quantity: &'static str,
+    /// Name of the case.
+    pub case: String,
+    /// Digits of the tolerance, relative to the size of the terms that are added up.
+    #[schemars(range(min = 0, max = 16))]
+    pub digits: f64,
+    /// What takes the other digits.
+    pub because: &'static str,
+}
+
+/// A quantity that has fewer digits than demanded.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct FewerDigits {
+    /// Name of the quantity.
+    pub quantity: &'static str,
+    /// Name of the case with the fewest digits.
+    pub case: String,
+    /// Correct digits in this case.
+    #[schemars(range(min = 0, max = 16))]
+    pub digits: f64,
 }
 
 /// A quantity that is wrong although its inputs are right.
@@ -236,6 +302,7 @@ impl Report {
             conventions: examination.conventions.clone(),
             convention_errors: examination.convention_errors.clone(),
             chatter: examination.chatter.clone(),
+            precision: PrecisionResult::new(examination),
             passes: examination.passes(),
             memory: examination.memory.clone(),
             given_ignored: examination.given_ignored.clone(),
@@ -252,6 +319,51 @@ impl Report {
             questions: examination.questions,
             starts: examination.starts,
             seconds: examination.seconds,
+        }
+    }
+}
+
+impl Report {
+    /// Demands a number of correct digits of every answer that has numbers. The program fails if one has fewer.
+    pub fn demand(&mut self, suite: &Suite, examination: &Examination, digits: u8) {
+        let fewer = examination.verdicts.iter().filter_map(|(quantity, cases)| {
+            let with_digits = cases.iter().filter_map(|(n, verdict)| Some((*n, verdict.digits()?)));
+            let (n, least) = with_digits.min_by(|a, b| a.1.total_cmp(&b.1))?;
+            let case = suite.cases.get(n)?.id.clone();
+            (least < f64::from(digits)).then(|| FewerDigits { quantity, case, digits: rounded_down(least) })
+        });
+        self.precision.demanded = Some(digits);
+        self.precision.fewer = fewer.collect();
+        self.passes &= self.precision.fewer.is_empty();
+    }
+}
+
+impl PrecisionResult {
+    fn new(examination: &Examination) -> PrecisionResult {
+        let precision = &examination.precision;
+        let right = examination.verdicts.iter().flat_map(|(_, cases)| cases).filter(|(_, verdict)| verdict.passes());
+        let mut digits: Vec<f64> = right.filter_map(|(_, verdict)| verdict.digits()).collect();
+        digits.sort_by(f64::total_cmp);
+        let mut others: BTreeMap<_, Vec<&'static str>> = BTreeMap::new();
+        for (quantity, form) in &precision.others {
+            others.entry(*form).or_default().push(quantity);
+        }
+        let others = others.into_iter().map(|(form, quantities)| OtherPrecision { kind: form.words(), quantities });
+        PrecisionResult {
+            kind: precision.form.words(),
+            by_errors: precision.by_errors,
+            others: others.collect(),
+            least_digits: digits.first().copied().map(rounded),
+            median_digits: digits.get(digits.len() / 2).copied().map(rounded),
+            least_attainable: precision.least.as_ref().map(|least| LeastAttainable {
+                quantity: least.quantity,
+                case: least.case.clone(),
+                digits: rounded(least.digits),
+                because: least.because,
+            }),
+            invisible: examination.invisible.clone(),
+            demanded: None,
+            fewer: Vec::new(),
         }
     }
 }
@@ -320,6 +432,11 @@ impl Counts {
 /// Digits to one decimal; adding zero turns −0 into 0.
 fn rounded(digits: f64) -> f64 {
     (digits * 10.0).round() / 10.0 + 0.0
+}
+
+/// Digits to one decimal, never more than there are.
+fn rounded_down(digits: f64) -> f64 {
+    (digits * 10.0).floor() / 10.0
 }
 
 fn counts_by_tag(suite: &Suite, examination: &Examination) -> BTreeMap<String, Counts> {
