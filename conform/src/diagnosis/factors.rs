@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::mistake::Mistake;
 use super::mistake::MistakeKind::{Heat, Other, Sign};
 use super::observation::{LOOSE, Observation, Outcome};
-use super::power::{Numbers, PowerLaw, Sample, fraction};
+use super::power::{PowerLaw, Sample, fraction, numbers_of};
 use super::terms;
 use super::terms::term::Term;
 use crate::suite::{Case, Reference};
@@ -82,8 +82,7 @@ fn sample(term: &Term, excess: &[f64], reference: &Reference, case: &Case) -> Ex
         .iter()
         .zip(&scaled)
         .all(|(excess, term)| (excess - added * term).abs() <= LOOSE * (1.0 + reference.relative * excess.abs()));
-    let number = |key: &str| case.state_json[key].as_f64().unwrap_or(1.0);
-    let of: Numbers = ["l", "h", "w", "rho", "E"].map(number);
+    let of = numbers_of(case);
     let factor = if term.belongs { 1.0 + added } else { added };
     match explained {
         false => Explained::No,
