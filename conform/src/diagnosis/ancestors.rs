@@ -16,7 +16,7 @@ use super::observation::{Observation, Outcome};
 use super::power::{PowerLaw, numbers_of};
 use super::terms;
 use super::terms::term::Term;
-use crate::graph::{equation, find};
+use crate::graph::{GRAPH, equation, find};
 use crate::suite::{Case, Reference, State};
 
 /// Largest number of mistakes that are named for an ancestor.
@@ -115,8 +115,8 @@ pub fn ancestors(culprit: &'static str, seen: &Seen, is_right: impl Fn(&str) -> 
     }
     let rank = |ancestor: &Ancestor| {
         let kind = ancestor.mistakes.first().map_or(MistakeKind::Digits, |mistake| mistake.kind);
-        let place = crate::graph::GRAPH.iter().position(|node| node.quantity == ancestor.quantity);
-        (ancestor.mistakes.is_empty(), ancestor.speaks.starts_with("not answered"), kind, std::cmp::Reverse(place))
+        let place = GRAPH.iter().position(|node| node.quantity == ancestor.quantity);
+        (ancestor.mistakes.is_empty(), ancestor.speaks.starts_with("not answered"), kind, place)
     };
     all.sort_by_key(rank);
     all
@@ -166,6 +166,14 @@ impl Fitting {
                 mistakes.entry(root).or_default().push(mistake);
             }
         }
+        // The same mistake in a later quantity is what follows from it.
+        let mut earlier: BTreeSet<Mistake> = BTreeSet::new();
+        for node in GRAPH {
+            if let Some(mistakes) = mistakes.get_mut(node.quantity) {
+                mistakes.retain(|mistake| !earlier.contains(mistake));
+                earlier.extend(mistakes.iter().cloned());
+            }
+        }
         for mistakes in mistakes.values_mut() {
             mistakes.sort();
             mistakes.dedup();
@@ -206,6 +214,8 @@ fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -
         .collect();
     of_culprit.sort_by_key(|observation| observation.case.tags.len());
     let Some(simplest) = of_culprit.first() else { return Fitting::default() };
+    // Of the paper's own route only: a strain and the stress after it are not two causes.
+    let all: BTreeSet<Key> = all.into_iter().filter(|(members, ..)| !chain::is_by_stress(members)).collect();
     let alone: Vec<Key> =
         all.iter().filter(|key| search.explains(culprit, simplest, &[*key])).take(MOST_FIRST).cloned().collect();
     for one in &alone {
