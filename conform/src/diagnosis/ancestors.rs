@@ -13,10 +13,10 @@ use super::chain::{self, Chain, Values};
 use super::diagnose::{candidates, common_tags, explains};
 use super::mistake::{Mistake, MistakeKind};
 use super::observation::{Observation, Outcome};
-use super::power::PowerLaw;
+use super::power::{PowerLaw, numbers_of};
 use super::terms;
 use super::terms::term::Term;
-use crate::graph::{equation, find};
+use crate::graph::{GRAPH, equation, find};
 use crate::suite::{Case, Reference, State};
 
 /// Largest number of mistakes that are named for an ancestor.
@@ -25,6 +25,8 @@ const MOST_NAMED: usize = 3;
 const MOST_FIRST: usize = 6;
 /// Factors that terms of an earlier quantity are often wrong by.
 const FACTORS: [f64; 12] = [-1.0, 0.0, 2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3.0, 1.5, 2.0 / 3.0, -2.0, -0.5];
+/// Lengths and other numbers that are often forgotten, or one too many: place in the list of [`PowerLaw`] and exponent.
+const POWERS: [(usize, i32); 6] = [(0, 1), (0, -1), (1, 1), (1, -1), (2, -1), (3, -1)];
 /// A wrong value counts as right if it differs by this share of its largest entry at most.
 const NEUTRAL: f64 = 1e-12;
 
@@ -74,11 +76,11 @@ pub fn ancestors(culprit: &'static str, seen: &Seen, is_right: impl Fn(&str) -> 
     let Some(observations) = seen.get(culprit) else { return Vec::new() };
     let shown_right: BTreeSet<&str> = (seen.keys())
         .filter(|quantity| is_right(quantity))
-        .flat_map(|quantity| chain::ancestors(quantity).into_iter().chain(before(quantity, &|_| true)))
+        .flat_map(|quantity| chain::ancestors(quantity).into_iter().chain(before(quantity, false, &|_| true)))
         .collect();
     let is_possible = |quantity: &&'static str| !is_answered(quantity) && !shown_right.contains(quantity);
     let in_graph: Vec<&'static str> =
-        before(culprit, &|quantity| !is_answered(quantity)).into_iter().filter(is_possible).collect();
+        before(culprit, true, &|quantity| !is_answered(quantity)).into_iter().filter(is_possible).collect();
     if in_graph.is_empty() {
         return Vec::new();
     }
@@ -113,19 +115,26 @@ pub fn ancestors(culprit: &'static str, seen: &Seen, is_right: impl Fn(&str) -> 
     }
     let rank = |ancestor: &Ancestor| {
         let kind = ancestor.mistakes.first().map_or(MistakeKind::Digits, |mistake| mistake.kind);
-        let place = crate::graph::GRAPH.iter().position(|node| node.quantity == ancestor.quantity);
-        (ancestor.mistakes.is_empty(), ancestor.speaks.starts_with("not answered"), kind, std::cmp::Reverse(place))
+        let place = GRAPH.iter().position(|node| node.quantity == ancestor.quantity);
+        (ancestor.mistakes.is_empty(), ancestor.speaks.starts_with("not answered"), kind, place)
     };
     all.sort_by_key(rank);
     all
 }
 
-/// Quantities before another one in the graph. Those that `passes` refuses are not entered.
-fn before(quantity: &str, passes: &dyn Fn(&str) -> bool) -> BTreeSet<&'static str> {
+/// Derivatives that a program may have in lines of their own: they may be right although the function is not.
+const DERIVATIVES: [&str; 4] = ["3.S_x", "3.S_y", "cable.S_x", "cable.S_xx"];
+
+/// Quantities before another one in the graph, with functions before their derivatives or without. Those that `passes` refuses are not
+/// entered.
+fn before(quantity: &str, derivatives: bool, passes: &dyn Fn(&str) -> bool) -> BTreeSet<&'static str> {
     let mut all = BTreeSet::new();
+    if !derivatives && DERIVATIVES.contains(&quantity) {
+        return all;
+    }
     for input in find(quantity).into_iter().flat_map(|node| node.inputs()).filter(|input| passes(input)) {
         if all.insert(input) {
-            all.extend(before(input, passes));
+            all.extend(before(input, derivatives, passes));
         }
     }
     all
@@ -155,6 +164,14 @@ impl Fitting {
         for (members, _, mistake) in keys {
             if let Some(root) = members.first() {
                 mistakes.entry(root).or_default().push(mistake);
+            }
+        }
+        // The same mistake in a later quantity is what follows from it.
+        let mut earlier: BTreeSet<Mistake> = BTreeSet::new();
+        for node in GRAPH {
+            if let Some(mistakes) = mistakes.get_mut(node.quantity) {
+                mistakes.retain(|mistake| !earlier.contains(mistake));
+                earlier.extend(mistakes.iter().cloned());
             }
         }
         for mistakes in mistakes.values_mut() {
@@ -197,6 +214,8 @@ fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -
         .collect();
     of_culprit.sort_by_key(|observation| observation.case.tags.len());
     let Some(simplest) = of_culprit.first() else { return Fitting::default() };
+    // Of the paper's own route only: a strain and the stress after it are not two causes.
+    let all: BTreeSet<Key> = all.into_iter().filter(|(members, ..)| !chain::is_by_stress(members)).collect();
     let alone: Vec<Key> =
         all.iter().filter(|key| search.explains(culprit, simplest, &[*key])).take(MOST_FIRST).cloned().collect();
     for one in &alone {
@@ -342,7 +361,7 @@ impl InCase {
             }
         }
         for term in terms::of(root, &case).into_iter().chain(terms::parts(reference)) {
-            for (mistake, by) in scaled(&term) {
+            for (mistake, by) in scaled(&term, &case) {
                 if is_wanted(&mistake) {
                     add(mistake, right.iter().zip(&term.numbers).map(|(right, term)| right + by * term).collect());
                 }
@@ -386,15 +405,17 @@ fn singleton(root: &str) -> Option<&'static [&'static str]> {
 }
 
 /// Mistakes that multiply a term by a usual factor, and what each adds in terms of it.
-fn scaled(term: &Term) -> Vec<(Mistake, f64)> {
+fn scaled(term: &Term, case: &Case) -> Vec<(Mistake, f64)> {
     if !term.belongs {
         let what = |sign: &str| format!("{sign} {}, which does not belong there", term.name);
         let kind = MistakeKind::Other;
         return vec![(Mistake { kind, what: what("plus") }, 1.0), (Mistake { kind, what: what("minus") }, -1.0)];
     }
-    let by = |factor: f64| {
-        let (kind, words) = PowerLaw::constant(factor).words();
-        (Mistake { kind, what: format!("{} {words}", term.name) }, factor - 1.0)
+    let of = numbers_of(case);
+    let by = |law: PowerLaw| {
+        let (kind, words) = law.words();
+        (Mistake { kind, what: format!("{} {words}", term.name) }, law.value(&of) - 1.0)
     };
-    FACTORS.into_iter().map(by).collect()
+    let constants = FACTORS.into_iter().map(PowerLaw::constant);
+    constants.chain(POWERS.into_iter().map(|(place, n)| PowerLaw::power(place, n))).map(by).collect()
 }

@@ -148,6 +148,11 @@ const BY_STRESS: &[Formula] = &[
 const ROOTS_OF_STRESS: &[&str] =
     &["12.epsilon_f", "13.epsilon_1", "13.epsilon_2", "13.epsilon_3", "14.epsilon", "15.sigma", "16.D"];
 
+/// Whether some of these roots act on the force only by the route over stresses.
+pub(super) fn is_by_stress(roots: &[&str]) -> bool {
+    roots.iter().any(|root| ROOTS_OF_STRESS.contains(root))
+}
+
 fn formula_of(quantity: &str, by_stress: bool) -> Option<&'static Formula> {
     let route = if by_stress { BY_STRESS } else { BY_STIFFNESS };
     SHARED.iter().chain(route).find(|formula| formula.quantity == quantity)

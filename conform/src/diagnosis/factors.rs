@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::mistake::Mistake;
 use super::mistake::MistakeKind::{Heat, Other, Sign};
 use super::observation::{Observation, Outcome, largest, matching, matching_relative};
-use super::power::{Numbers, PowerLaw, Sample, fraction};
+use super::power::{PowerLaw, Sample, fraction, numbers_of};
 use super::terms;
 use super::terms::term::Term;
 use crate::suite::{Case, Reference};
@@ -96,8 +96,7 @@ fn sample(term: &Term, excess: &[f64], reference: &Reference, case: &Case) -> Ex
     // Terms that a mistake makes larger have larger rounding errors.
     let unexplained = |(excess, term): (&f64, &f64)| (excess - added * term).abs() / (1.0 + relative * excess.abs());
     let left = largest(excess.iter().zip(&scaled).map(unexplained));
-    let number = |key: &str| case.state_json[key].as_f64().unwrap_or(1.0);
-    let of: Numbers = ["l", "h", "w", "rho", "E"].map(number);
+    let of = numbers_of(case);
     let factor = if term.belongs { 1.0 + added } else { added };
     match left <= 1.0 {
         false => Explained::No,
