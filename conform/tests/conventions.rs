@@ -17,6 +17,26 @@ static SUITE: LazyLock<Suite> = LazyLock::new(|| Suite::embedded().unwrap());
 /// Quantities that a program without insight into its element gives.
 const BLACK_BOX: [&str; 3] = ["7.M", "19.Q_e", "tangent.dQ_e"];
 
+/// Quantities that tell all conventions of the element.
+const TELLING: [&str; 16] = [
+    "4.nodes",
+    "2.S",
+    "1.r",
+    "5.rdot",
+    "7.M",
+    "8.epsilon_T",
+    "9.J",
+    "11.S_c",
+    "13.epsilon_3",
+    "12.epsilon_f",
+    "14.epsilon",
+    "16.D",
+    "15.sigma",
+    "18.U",
+    "21.S_c1",
+    "19.Q_e",
+];
+
 /// Value of a quantity with a mistake; `None` where it is right.
 type MistakeOf = fn(&str, &ElementState) -> Option<Vec<f64>>;
 
@@ -434,6 +454,7 @@ fn two_conventions_at_once() {
                 by_columns: one.by_columns || other.by_columns,
                 flat: one.flat || other.flat,
                 degrees: one.degrees || other.degrees,
+                quantities: Some(TELLING.into()),
                 ..one.clone()
             };
             // In turn: states of the fixtures, own states, own states and others refused.
