@@ -284,7 +284,7 @@ impl Mine {
     }
 }
 
-/// Whether nested lists of numbers agree to nine digits of the largest; forces at rest are differences of numbers of 10⁴ N.
+/// Whether nested lists of numbers agree to nine digits of the largest.
 fn close(one: &Value, other: &Value) -> bool {
     fn numbers(value: &Value, all: &mut Vec<f64>) {
         match value {
@@ -295,8 +295,10 @@ fn close(one: &Value, other: &Value) -> bool {
     let (mut a, mut b) = (Vec::new(), Vec::new());
     numbers(one, &mut a);
     numbers(other, &mut b);
-    let size = a.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-    a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-9 * size)
+    let size = b.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+    // Forces at rest are roundings of terms of 10⁴ N.
+    let bound = if size == 0.0 { 1e-6 } else { 1e-9 * size };
+    a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= bound)
 }
 
 /// Code whose hello declares conventions.
