@@ -24,6 +24,7 @@ fn answers_of_the_protocol_are_valid() {
     let answers = validator("answer.schema.json");
     for answer in [
         json!({"hello": {"name": "mine"}}),
+        json!({"hello": {"name": "mine", "conventions": {"matrices": "columns", "slopes": ["l/2", "h/2"]}}}),
         json!({"hello": {"name": "mine", "given": true, "quantities": ["1.r", "7.M"], "version": 2}}),
         json!({"id": "1", "value": 0.375}),
         json!({"id": "2", "value": [[0.375, 0.005]]}),

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::Conventions;
-use super::translation::{Shaped, is_an_echo, is_close};
+use super::translation::{Shaped, is_close};
 use crate::answers::CaseAnswer;
 use crate::graph::GRAPH;
 use crate::protocol::Answer;
@@ -64,11 +64,8 @@ impl<'a> Evidence<'a> {
     fn is_close(&self, quantity: &str, n: usize, answer: &Seen, conventions: &Conventions) -> bool {
         let Some(case) = self.suite.cases.get(n) else { return false };
         let (Some(reference), Seen::Numbers(answer)) = (case.values.get(quantity), answer) else { return false };
-        let right = |conventions: &Conventions| {
-            let numbers = conventions.numbers(quantity, case, reference, answer);
-            numbers.is_some_and(|numbers| is_close(&numbers, reference))
-        };
-        right(conventions) || is_an_echo(quantity, reference, answer)
+        let numbers = conventions.numbers(quantity, case, reference, answer);
+        numbers.is_some_and(|numbers| is_close(&numbers, reference))
     }
 
     /// Whether one answer, which need not be among the evidence, is right under these conventions.

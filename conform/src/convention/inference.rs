@@ -337,8 +337,10 @@ impl Inference<'_> {
         }
         let best: Vec<_> = weighed.into_iter().filter(|(_, weight)| weight.cured.len() == most).collect();
         let Some((chosen, weight)) = best.first() else { return };
-        // One side alone, strain or law, is no convention where the stress that follows is wrong.
-        let both = weight.cured.contains(&"16.D") && weight.cured.len() > 1;
+        // Strain or law alone is no convention where the stress that follows is wrong.
+        let cures = |name: &str| weight.cured.contains(&name);
+        let both = cures("15.sigma") || cures("8.epsilon_T") && cures("12.epsilon_f");
+        let both = both || cures("16.D") && weight.cured.len() > 1;
         if !both && !self.followers_are_right(&weight.cured, chosen) {
             return;
         }
@@ -380,7 +382,14 @@ impl Inference<'_> {
         }
         for shear in shears {
             let with = Conventions { S_c: Metrics::Symmetrised, shear, ..self.conventions.clone() };
-            if self.cures("11.S_c", &with) && self.followers_are_right(&["11.S_c"], &with) {
+            // Its quadratic form and S_c1 tell; what follows from them may have a mistake of its own.
+            let nearest = ["13.epsilon_3", "21.S_c1"]
+                .map(|name| self.evidence.row(name).and_then(|row| self.evidence.is_right(row, &with)));
+            let follow = match nearest {
+                [None, None] => self.followers_are_right(&["11.S_c"], &with),
+                nearest => !nearest.contains(&Some(false)),
+            };
+            if self.cures("11.S_c", &with) && follow {
                 self.shown_by.insert("S_c", "11.S_c is right under it, and what follows from it".into());
                 self.conventions = with;
                 return;
