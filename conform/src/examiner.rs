@@ -1,6 +1,6 @@
 //! The examiner: asks every question and judges the answers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Instant;
 
 use serde_json::Value;
@@ -11,6 +11,7 @@ use crate::diagnosis::{Observation, Outcome, diagnose};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 use crate::graph::{GRAPH, Node};
 use crate::protocol::{Answer, Asked, Hello, announcement};
+use crate::selection::Selection;
 use crate::subject::Subject;
 use crate::suite::{InvalidCase, Suite};
 use crate::verdict::{Fault, Verdict, Wrong};
@@ -19,15 +20,17 @@ use crate::verdict::{Fault, Verdict, Wrong};
 const PATIENCE: usize = 3;
 
 /// Options of an examination.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Options {
     /// Whether reference values of intermediate quantities are sent to a program that accepts them.
     pub given: bool,
+    /// What is asked.
+    pub asked: Selection,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { given: true }
+        Options { given: true, asked: Selection::default() }
     }
 }
 
@@ -38,7 +41,7 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let started = Instant::now();
     let hello = subject.hello(&announcement(suite));
     let accepts_given = options.given && hello.as_ref().is_ok_and(|hello| hello.given);
-    let mut examiner = Examiner { suite, subject, hello, questions: 0 };
+    let mut examiner = Examiner { suite, subject, hello, asked: options.asked, questions: 0, ids: BTreeSet::new() };
     let answers = examiner.answers(&progress);
     let invalid = examiner.invalid();
     let verdicts = answers.judged(suite);
@@ -61,6 +64,8 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     Examination {
         description: examiner.subject.description(),
         chatter: examiner.subject.chatter(),
+        remarks: examiner.subject.remarks(),
+        in_part: !examiner.asked.is_everything(),
         starts: examiner.subject.starts(),
         hello: examiner.hello,
         questions: examiner.questions,
@@ -131,7 +136,10 @@ struct Examiner<'a> {
     suite: &'a Suite,
     subject: &'a mut dyn Subject,
     hello: Result<Hello, Fault>,
+    asked: Selection,
     questions: usize,
+    /// Names of the questions so far.
+    ids: BTreeSet<String>,
 }
 
 impl<'a> Examiner<'a> {
@@ -155,16 +163,22 @@ impl<'a> Examiner<'a> {
     fn in_every_case(&mut self, quantity: &'static str) -> Vec<CaseAnswer> {
         let (suite, has) = (self.suite, self.has(quantity));
         let (mut answers, mut ended) = (Vec::new(), 0);
+        if !self.asked.has_quantity(quantity) {
+            return answers;
+        }
         for (n, case) in suite.cases.iter().enumerate().filter(|(_, case)| case.values.contains_key(quantity)) {
+            if !self.asked.has_state(&case.id) {
+                continue;
+            }
             let answer = if !has {
                 Ok(Answer::NotImplemented)
             } else if ended >= PATIENCE {
                 Err(Fault::NotAsked(format!("it hung or crashed {PATIENCE} times before, or wrote an endless line")))
             } else {
-                self.ask(quantity, &case.state_json, case.given(&[]))
+                self.ask(quantity, &case.id, &case.state_json, case.given(&[]))
             };
             ended += match answer {
-                Err(Fault::TimeLimit(_) | Fault::Crash(_)) => 1,
+                Err(Fault::TimeLimit(_) | Fault::Buffered(_) | Fault::Crash(_)) => 1,
                 // A program that writes an endless line will do so again, and each one takes long.
                 Err(Fault::Endless(_)) => PATIENCE,
                 _ => 0,
@@ -185,7 +199,8 @@ impl<'a> Examiner<'a> {
         });
         let again = answered.filter_map(|(n, _)| {
             let case = suite.cases.get(*n)?;
-            Some((*n, self.ask(node.quantity, &case.state_json, case.given(node.given))))
+            let name = format!("{}/given", case.id);
+            Some((*n, self.ask(node.quantity, &name, &case.state_json, case.given(node.given))))
         });
         judged(suite, node.quantity, &again.collect::<Vec<_>>())
     }
@@ -194,9 +209,10 @@ impl<'a> Examiner<'a> {
     fn invalid(&mut self) -> Vec<InvalidVerdict> {
         let suite = self.suite;
         let verdict = |case: &InvalidCase| {
-            let (outcome, detail) = match self.has(&case.equation) {
+            let asked = self.asked.has_quantity(&case.equation) && self.asked.has_state(&case.id);
+            let (outcome, detail) = match asked && self.has(&case.equation) {
                 false => (InvalidOutcome::NotImplemented, None),
-                true => match self.ask(&case.equation, &case.state, BTreeMap::new()) {
+                true => match self.ask(&case.equation, &case.id, &case.state, BTreeMap::new()) {
                     Ok(Answer::Error(message)) => (InvalidOutcome::Refused, Some(message)),
                     Ok(Answer::Value(_)) => (InvalidOutcome::Accepted, None),
                     Ok(Answer::NotImplemented) => (InvalidOutcome::NotImplemented, None),
@@ -208,13 +224,31 @@ impl<'a> Examiner<'a> {
         suite.invalid.iter().map(verdict).collect()
     }
 
-    fn ask(&mut self, equation: &str, state: &Value, given: BTreeMap<&str, &Value>) -> Result<Answer, Fault> {
+    /// Asks for a quantity in a state; `name` is that of the state, and what is special about the question.
+    fn ask(
+        &mut self,
+        equation: &str,
+        name: &str,
+        state: &Value,
+        given: BTreeMap<&str, &Value>,
+    ) -> Result<Answer, Fault> {
         if let Err(fault) = &self.hello {
             return Err(Fault::NotAsked(format!("it did not answer hello: {fault}")));
         }
         self.questions += 1;
-        let id = self.questions.to_string();
+        let id = self.id(format!("{equation}/{name}"));
         self.subject.ask(&Asked { equation, given, id: &id, state })
+    }
+
+    /// A name that no question had: the same question again gets a number, so that a late answer is none to it.
+    fn id(&mut self, name: String) -> String {
+        let mut id = name.clone();
+        let mut times = 1;
+        while !self.ids.insert(id.clone()) {
+            times += 1;
+            id = format!("{name}#{times}");
+        }
+        id
     }
 }
 

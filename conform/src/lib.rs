@@ -25,8 +25,8 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, answers, examination, diagnosis, blame, program, subject, process, protocol;
-// equations_text, state_file; verdict, suite, numbers, graph, error.
+// schema, report, examiner, answers, examination, diagnosis, blame, formula; recorded, program, subject, process, lines; protocol, spelling, trouble;
+// selection, equations_text, state_file; verdict, suite, numbers, graph, error.
 mod answers;
 mod blame;
 mod diagnosis;
@@ -34,16 +34,22 @@ mod equations_text;
 mod error;
 mod examination;
 mod examiner;
+mod formula;
 mod graph;
+mod lines;
 mod numbers;
 mod process;
 mod program;
 mod protocol;
+mod recorded;
 pub mod report;
 mod schema;
+mod selection;
+mod spelling;
 mod state_file;
 mod subject;
 mod suite;
+mod trouble;
 mod verdict;
 
 pub use blame::{Blame, Culprit, Follower};
@@ -55,9 +61,12 @@ pub use examiner::{Options, examine};
 pub use graph::{GRAPH, Node};
 pub use program::{MOST_STARTS, Program};
 pub use protocol::{Answer, AnswerLine, Asked, Hello, Question, numbers as read_numbers, read as read_answer};
+pub use recorded::{Recorded, Recorder};
 pub use report::Report;
 pub use schema::schemas;
+pub use selection::Selection;
 pub use state_file::load as load_state;
 pub use subject::{Chatter, Code, Subject};
 pub use suite::{Case, InvalidCase, Length, Per, Quantity, Reference, State, Suite};
+pub use trouble::{Remark, Trouble};
 pub use verdict::{Fault, Verdict, Wrong};

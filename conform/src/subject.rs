@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::protocol::{Answer, Asked, Hello, Question};
+use crate::trouble::Remark;
 use crate::verdict::Fault;
 
 /// What is examined. [`Program`](crate::Program) asks a process, [`Code`] a closure.
@@ -38,6 +39,11 @@ pub trait Subject {
     /// Lines on its standard output that are not JSON objects.
     fn chatter(&self) -> Chatter {
         Chatter::default()
+    }
+
+    /// What was wrong with the form of its answers.
+    fn remarks(&self) -> Vec<Remark> {
+        Vec::new()
     }
 }
 
