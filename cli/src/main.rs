@@ -286,10 +286,15 @@ fn list_scenes() -> Result<()> {
     Ok(print(&list)?)
 }
 
-/// Prints on standard output, without what a terminal would obey; that a reader like `head` has seen enough is no error.
+/// Prints on standard output, without what a terminal would obey.
 fn print(text: &str) -> ancf_study::error::Result<()> {
+    print_data(&escape::terminal(text))
+}
+
+/// Prints what another program reads on standard output; that a reader like `head` has seen enough is no error.
+fn print_data(text: &str) -> ancf_study::error::Result<()> {
     let mut out = io::stdout().lock();
-    match out.write_all(escape::terminal(text).as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
             Err(ancf_study::error::Error::Write { path: "standard output".into(), source })
         }
