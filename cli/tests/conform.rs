@@ -604,7 +604,7 @@ fn answers_that_are_almost_json_are_read_and_the_trouble_is_named() {
 fn a_program_that_does_not_flush_is_named_as_such() {
     let folder = tempfile::tempdir().unwrap();
     for (body, part) in [
-        (r#"held="$held{\"id\":\"$id\",\"value\":0.0}\n""#, "it does not flush its output"),
+        (r#"held="$held{\"id\":\"$id\",\"value\":0.0}\n""#, "it does not flush its output, or took"),
         (r#"printf '{"id":"%s","value":0.0}' "$id""#, "its line does not end"),
     ] {
         let [sh, path] = program(folder.path(), HELLO, body);

@@ -31,15 +31,16 @@ impl Lines {
     }
 
     fn read_text(&mut self, text: &str, over_lines: bool) -> Vec<Result<AnswerLine, Fault>> {
+        // First, as reading what is not finished yet would take long with every line of it.
+        if is_open(text) && text.len() < LONGEST {
+            self.unfinished = text.trim_end().into();
+            return Vec::new();
+        }
         if let Some(answers) = self.answers(text, over_lines) {
             return answers;
         }
         match objects(text) {
             Some((tables, _)) => tables.iter().map(|table| protocol::answer(table, text)).collect(),
-            None if is_open(text) && text.len() < LONGEST => {
-                self.unfinished = text.trim_end().into();
-                Vec::new()
-            }
             None => vec![protocol::read(text)],
         }
     }

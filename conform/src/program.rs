@@ -121,8 +121,9 @@ impl Program {
             let line = process.last_words(left)?;
             if self.lines.read(&line).into_iter().flatten().any(|line| matches!(wanted(line), Some(Ok(_)))) {
                 return Some(if line.ends_with('\n') {
-                    "it does not flush its output; flush standard output after each line (C: fflush(stdout), Python: \
-                     print(…, flush=True), Fortran: flush(output_unit)), or ask it through files (--questions)"
+                    "it does not flush its output, or took a moment longer than the limit; flush standard output after each line \
+                     (C: fflush(stdout), Python: print(…, flush=True), Fortran: flush(output_unit)), or ask it through files \
+                     (--questions)"
                         .into()
                 } else {
                     "its line does not end; write a line feed after each answer, and flush standard output".into()

@@ -9,6 +9,8 @@ use crate::protocol::quoted;
 
 /// Largest number of names that a line lists.
 const MOST_NAMES: usize = 6;
+/// Largest number of groups of quantities without numbers that are listed.
+const MOST_FAULTS: usize = 3;
 /// Largest number of troubles with the form of answers that are listed.
 const MOST_REMARKS: usize = 4;
 
@@ -119,7 +121,7 @@ impl Report {
                 marks.strong(&format!("It answers no numbers for {of}: {}.", faults.join(", ")))
             )
         };
-        by_fault.into_iter().map(line).collect()
+        by_fault.into_iter().take(MOST_FAULTS).map(line).collect()
     }
 
     /// The first wrong equation: which, why, what kind of mistake, evidence, and what to look at.
