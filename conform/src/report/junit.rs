@@ -4,7 +4,7 @@
 
 use std::fmt::Write;
 
-use super::record::{Conclusion, Report};
+use super::record::{Conclusion, RefusalVerdict, Report};
 use crate::examination::{Examination, InvalidOutcome};
 use crate::formula::formula;
 use crate::suite::Suite;
@@ -49,7 +49,9 @@ pub fn junit(suite: &Suite, examination: &Examination, report: &Report, must_ref
         };
         TestCase { name: &case.id, outcome }
     });
-    suites.push(("invalid".into(), invalid.collect()));
+    if report.refusal.verdict != RefusalVerdict::NotAsked {
+        suites.push(("invalid".into(), invalid.collect()));
+    }
     let mut text = String::new();
     // Writing to a String cannot fail.
     let _ = write(&mut text, &suites, report);

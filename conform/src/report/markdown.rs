@@ -22,6 +22,14 @@ impl Report {
         if let Some(fault) = &self.program.no_hello {
             return format!("it did not answer hello: {}", plain(fault));
         }
+        self.counts_text()
+    }
+
+    /// Numbers of quantities that pass, fail and are missing; empty if nothing was asked.
+    pub(super) fn counts_text(&self) -> String {
+        if self.program.no_hello.is_some() {
+            return String::new();
+        }
         let count = |word: &str| self.quantities.iter().filter(|row| row.counts.word() == word).count();
         let (pass, fail, missing) = (count("pass") + count(PARTLY), count("**fail**"), count(NOT_IMPLEMENTED));
         let mut text = format!("{pass} quantities pass, {fail} fail, {missing} are not implemented.");
@@ -50,7 +58,7 @@ impl Report {
     fn write_markdown(&self, out: &mut String) -> std::fmt::Result {
         let marks = Marks::Markdown;
         writeln!(out, "## Conformance of {}\n", plain(&self.program.name))?;
-        writeln!(out, "**{}.** {}\n", self.marked_headline(marks), self.summary())?;
+        writeln!(out, "**{}.** {}\n", self.marked_headline(marks), self.counts_text())?;
         self.screen(marks).iter().try_for_each(|line| writeln!(out, "- {line}"))?;
         self.write_others(out)?;
         writeln!(
@@ -88,9 +96,10 @@ impl Report {
         )
     }
 
-    /// Rows of the quantities that were answered in some case.
+    /// Rows of the quantities that were asked and are implemented.
     pub(super) fn asked_rows(&self) -> impl Iterator<Item = &QuantityResult> {
-        self.quantities.iter().filter(|row| row.counts.pass + row.counts.fail > 0)
+        let is_asked = |row: &&QuantityResult| row.counts.pass + row.counts.fail > 0 && self.program.no_hello.is_none();
+        self.quantities.iter().filter(is_asked)
     }
 
     /// Wrong quantities behind the first: each with its diagnosis, then those that follow from others.

@@ -8,7 +8,7 @@ impl Report {
     pub fn text(&self) -> String {
         let marks = Marks::None;
         let mut text = format!("Conformance of {}\n\n", self.program.name);
-        text += &format!("{}. {}\n\n", self.headline(), self.summary().replace('`', ""));
+        text += &format!("{}. {}\n\n", self.headline(), self.counts_text().replace('`', ""));
         for line in self.screen(marks) {
             text += &format!("* {line}\n");
         }
