@@ -58,7 +58,7 @@ impl Report {
     fn write_markdown(&self, out: &mut String) -> std::fmt::Result {
         let marks = Marks::Markdown;
         writeln!(out, "## Conformance of {}\n", plain(&self.program.name))?;
-        writeln!(out, "**{}.** {}\n", self.marked_headline(marks), self.counts_text())?;
+        writeln!(out, "{}\n", format!("**{}.** {}", self.marked_headline(marks), self.counts_text()).trim_end())?;
         self.screen(marks).iter().try_for_each(|line| writeln!(out, "- {line}"))?;
         self.write_others(out)?;
         writeln!(
@@ -67,7 +67,7 @@ impl Report {
         )?;
         for row in self.asked_rows() {
             let (word, digits) = (row.counts.word(), row.counts.digits_text());
-            writeln!(out, "| {} | {word} | {} | {digits} | {} |", row.quantity, row.counts.text(), row.example(marks))?;
+            writeln!(out, "| {} | {word} | {} | {digits} | {} |", row.quantity, row.counts_text(), row.example(marks))?;
         }
         writeln!(out, "\n| tag | right | wrong | not implemented | digits |\n|---|---|---|---|---|")?;
         for (tag, counts) in &self.tags {
@@ -164,14 +164,16 @@ impl Counts {
         }
     }
 
-    /// Right, asked, and in the fixture.
-    pub(super) fn text(&self) -> String {
-        let asked = self.pass + self.fail;
-        format!("{} / {asked} / {}", self.pass, asked + self.not_implemented)
-    }
-
     pub(super) fn digits_text(&self) -> String {
         self.digits.map_or("–".into(), |digits| format!("{digits:.1}"))
+    }
+}
+
+impl QuantityResult {
+    /// Right, asked, and in the fixture.
+    pub(super) fn counts_text(&self) -> String {
+        let Counts { pass, fail, .. } = self.counts;
+        format!("{pass} / {} / {}", pass + fail, self.in_fixture)
     }
 }
 

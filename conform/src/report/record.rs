@@ -193,6 +193,8 @@ pub struct QuantityResult {
     /// Counts of its cases.
     #[serde(flatten)]
     pub counts: Counts,
+    /// Number of cases with a value in the fixtures, asked or not.
+    pub in_fixture: usize,
     /// Names of the failing cases.
     pub failing: Vec<String>,
     /// The failing case with the fewest tags; null if none fails.
@@ -460,6 +462,7 @@ impl QuantityResult {
             quantity,
             equation: equation(quantity),
             counts,
+            in_fixture: suite.cases.iter().filter(|case| case.values.contains_key(quantity)).count(),
             failing: failing.map(|case| case.id.clone()).collect(),
             smallest_failing: smallest_failing(suite, cases)
                 .and_then(|(n, verdict)| FailingCase::new(suite, quantity, *n, verdict)),

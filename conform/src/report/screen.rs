@@ -65,7 +65,6 @@ impl Report {
         lines.extend(self.silent_lines(marks));
         lines.extend(self.first_wrong_lines(marks));
         lines.extend(self.others_line(marks));
-        lines.extend(self.partly_line());
         lines.extend(self.refusal_line());
         lines.extend(self.form_lines(marks));
         lines.extend(self.not_implemented_line(marks));
@@ -162,11 +161,6 @@ impl Report {
             .map(|(what, names)| format!("{what}: {}.", listed(names)))
             .collect();
         (!parts.is_empty()).then(|| parts.join(" "))
-    }
-
-    fn partly_line(&self) -> Option<String> {
-        let what = self.partly_checked_text();
-        (!what.is_empty()).then(|| format!("Partly checked: {what}."))
     }
 
     /// Whether invalid states are refused.

@@ -16,7 +16,7 @@ impl Report {
             .asked_rows()
             .map(|row| {
                 let word = row.counts.word().replace('*', "");
-                [row.quantity.into(), word, row.counts.text(), row.counts.digits_text(), row.example(marks)]
+                [row.quantity.into(), word, row.counts_text(), row.counts.digits_text(), row.example(marks)]
             })
             .collect();
         let head =
