@@ -12,6 +12,7 @@ use crate::memory::Memory;
 use crate::precision::Precision;
 use crate::protocol::Hello;
 use crate::subject::Chatter;
+use crate::trouble::Remark;
 use crate::verdict::{Fault, Verdict};
 
 pub use crate::verdict::CaseVerdict;
@@ -33,6 +34,10 @@ pub struct Examination {
     pub precision: Precision,
     /// Mistakes that this precision hides, in the quantities that the program answers.
     pub invisible: Vec<Invisible>,
+    /// What was wrong with the form of its answers.
+    pub remarks: Vec<Remark>,
+    /// Whether a part was asked, as the user chose.
+    pub in_part: bool,
     /// Verdicts by quantity and case, in the order of the questions.
     pub verdicts: Vec<(&'static str, Vec<CaseVerdict>)>,
     /// Verdicts on the states that must be refused, in the order of [`Suite::invalid`](crate::Suite::invalid).
@@ -74,25 +79,17 @@ pub enum InvalidOutcome {
     Accepted,
     /// It does not implement the quantity.
     NotImplemented,
-    /// It gave no answer.
+    /// It hung, crashed or wrote something else in place of an answer.
     Fault,
 }
 
-impl InvalidOutcome {
-    /// Whether the program accepted the state or gave no answer.
-    pub fn fails(self) -> bool {
-        matches!(self, InvalidOutcome::Accepted | InvalidOutcome::Fault)
-    }
-}
-
 impl Examination {
-    /// Whether nothing failed, no answer changed when it was asked for again, and something is implemented.
+    /// Whether no answer failed or changed when it was asked for again, and something is implemented. Whether invalid states are refused
+    /// is another question.
     pub fn passes(&self) -> bool {
         let failing = self.verdicts.iter().flat_map(|(_, cases)| cases).any(|(_, verdict)| verdict.fails());
-        !failing
-            && self.memory.is_none()
-            && !self.invalid.iter().any(|verdict| verdict.outcome.fails())
-            && self.implemented() > 0
+        let asked = |verdict: &InvalidVerdict| verdict.outcome != InvalidOutcome::NotImplemented;
+        !failing && self.memory.is_none() && (self.implemented() > 0 || self.invalid.iter().any(asked))
     }
 
     /// Name of the program; what it is called otherwise if it did not answer `hello`.

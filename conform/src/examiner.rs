@@ -1,6 +1,6 @@
 //! The examiner: asks every question and judges the answers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::time::Instant;
 
 use serde_json::Value;
@@ -16,6 +16,7 @@ use crate::lost_digits::LostDigits;
 use crate::memory::Repetition;
 use crate::precision::Precision;
 use crate::protocol::{Answer, Asked, Hello, announcement};
+use crate::selection::Selection;
 use crate::subject::Subject;
 use crate::suite::{InvalidCase, Suite};
 use crate::verdict::{Fault, Verdict, Wrong};
@@ -27,15 +28,17 @@ const PATIENCE: usize = 3;
 const CLEARLY_WRONG: f64 = 8.0;
 
 /// Options of an examination.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Options {
     /// Whether reference values of intermediate quantities are sent to a program that accepts them.
     pub given: bool,
+    /// What is asked.
+    pub asked: Selection,
 }
 
 impl Default for Options {
     fn default() -> Options {
-        Options { given: true }
+        Options { given: true, asked: Selection::default() }
     }
 }
 
@@ -48,7 +51,8 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let accepts_given = options.given && hello.as_ref().is_ok_and(|hello| hello.given);
     let declared = hello.as_ref().map(|hello| Declared::read(&hello.conventions)).unwrap_or_default();
     let conventions = declared.conventions.clone();
-    let mut examiner = Examiner { suite, subject, hello, conventions, questions: 0 };
+    let (asked, ids) = (options.asked, BTreeSet::new());
+    let mut examiner = Examiner { suite, subject, hello, conventions, asked, questions: 0, ids };
     let answers = examiner.answers(&progress);
     // The form of the numbers shows before they are translated.
     let mut precision = Precision::found(suite, &answers);
@@ -102,6 +106,8 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     Examination {
         description: examiner.subject.description(),
         chatter: examiner.subject.chatter(),
+        remarks: examiner.subject.remarks(),
+        in_part: !examiner.asked.is_everything(),
         starts: examiner.subject.starts(),
         hello: examiner.hello,
         conventions: found.named,
@@ -208,7 +214,10 @@ struct Examiner<'a> {
     hello: Result<Hello, Fault>,
     /// Conventions of the program: those it declared, then those that its answers show.
     conventions: Conventions,
+    asked: Selection,
     questions: usize,
+    /// Names of the questions so far.
+    ids: BTreeSet<String>,
 }
 
 impl<'a> Examiner<'a> {
@@ -233,7 +242,13 @@ impl<'a> Examiner<'a> {
         let (suite, has) = (self.suite, self.has(quantity));
         let (mut answers, mut ended) = (Vec::new(), 0);
         let conventions = self.conventions.clone();
-        for (n, _) in suite.cases.iter().enumerate().filter(|(_, case)| case.values.contains_key(quantity)) {
+        if !self.asked.has_quantity(quantity) {
+            return answers;
+        }
+        for (n, case) in suite.cases.iter().enumerate().filter(|(_, case)| case.values.contains_key(quantity)) {
+            if !self.asked.has_state(&case.id) {
+                continue;
+            }
             let answer = if !has {
                 Ok(Answer::NotImplemented)
             } else if ended >= PATIENCE {
@@ -242,7 +257,7 @@ impl<'a> Examiner<'a> {
                 self.ask(quantity, n, &[], &conventions)
             };
             ended += match answer {
-                Err(Fault::TimeLimit(_) | Fault::Crash(_)) => 1,
+                Err(Fault::TimeLimit(_) | Fault::Buffered(_) | Fault::Crash(_)) => 1,
                 // A program that writes an endless line will do so again, and each one takes long.
                 Err(Fault::Endless(_)) => PATIENCE,
                 _ => 0,
@@ -292,7 +307,9 @@ impl<'a> Examiner<'a> {
 
     /// Asks questions again, unless nothing was asked.
     fn repeat<T>(&mut self, answers: &Answers, look: impl FnOnce(&mut Repetition) -> T) -> Option<T> {
-        self.hello.as_ref().ok()?;
+        if self.hello.is_err() || !self.subject.can_repeat() {
+            return None;
+        }
         let mut repetition = Repetition::of(self.suite, self.subject, &self.conventions, answers);
         let found = look(&mut repetition);
         self.questions += repetition.questions();
@@ -303,9 +320,10 @@ impl<'a> Examiner<'a> {
     fn invalid(&mut self) -> Vec<InvalidVerdict> {
         let (suite, conventions) = (self.suite, self.conventions.clone());
         let verdict = |case: &InvalidCase| {
-            let (outcome, detail) = match self.has(&case.equation) {
+            let asked = self.asked.has_quantity(&case.equation) && self.asked.has_state(&case.id);
+            let (outcome, detail) = match asked && self.has(&case.equation) {
                 false => (InvalidOutcome::NotImplemented, None),
-                true => match self.send(&case.equation, &case.state, BTreeMap::new(), &conventions) {
+                true => match self.send(&case.equation, &case.id, &case.state, BTreeMap::new(), &conventions) {
                     Ok(Answer::Error(message)) => (InvalidOutcome::Refused, Some(message)),
                     Ok(Answer::Value(_)) => (InvalidOutcome::Accepted, None),
                     Ok(Answer::NotImplemented) => (InvalidOutcome::NotImplemented, None),
@@ -343,14 +361,21 @@ impl<'a> Examiner<'a> {
         if let Some((_, value)) = theirs.iter_mut().find(|(name, _)| Some(*name) == altered) {
             *value = scaled(value);
         }
+        let name = match altered {
+            _ if given.is_empty() => case.id.clone(),
+            None => format!("{}/given", case.id),
+            Some(altered) => format!("{}/given/{altered}-altered", case.id),
+        };
         let given = theirs.iter().map(|(name, value)| (*name, value)).collect();
-        self.send(quantity, &case.state_json, given, conventions)
+        self.send(quantity, &name, &case.state_json, given, conventions)
     }
 
-    /// Sends a question; the state is rewritten as the program reads it.
+    /// Sends a question; the state is rewritten as the program reads it. `name` is that of the state, and what is special about the
+    /// question.
     fn send(
         &mut self,
         equation: &str,
+        name: &str,
         state: &Value,
         given: BTreeMap<&str, &Value>,
         conventions: &Conventions,
@@ -359,9 +384,20 @@ impl<'a> Examiner<'a> {
             return Err(Fault::NotAsked(format!("it did not answer hello: {fault}")));
         }
         self.questions += 1;
-        let id = self.questions.to_string();
+        let id = self.id(format!("{equation}/{name}"));
         let rewritten = conventions.state(state);
         self.subject.ask(&Asked { equation, given, id: &id, state: rewritten.as_ref().unwrap_or(state) })
+    }
+
+    /// A name that no question had: the same question again gets a number, so that a late answer is none to it.
+    fn id(&mut self, name: String) -> String {
+        let mut id = name.clone();
+        let mut times = 1;
+        while !self.ids.insert(id.clone()) {
+            times += 1;
+            id = format!("{name}#{times}");
+        }
+        id
     }
 }
 

@@ -25,9 +25,9 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, given, examination, diagnosis, blame, memory, convention, lost_digits, precision, answers, program,
-// subject, process, protocol;
-// equations_text, state_file; verdict, suite, numbers, graph, error.
+// schema, report, examiner, given, examination, diagnosis, blame, memory, convention, lost_digits, precision, answers, formula;
+// recorded, program, subject, process, lines; protocol, spelling, trouble; selection, equations_text, state_file; verdict, suite,
+// numbers, graph, error.
 mod answers;
 mod blame;
 mod convention;
@@ -36,8 +36,10 @@ mod equations_text;
 mod error;
 mod examination;
 mod examiner;
+mod formula;
 mod given;
 mod graph;
+mod lines;
 mod lost_digits;
 mod memory;
 mod numbers;
@@ -45,11 +47,15 @@ mod precision;
 mod process;
 mod program;
 mod protocol;
+mod recorded;
 pub mod report;
 mod schema;
+mod selection;
+mod spelling;
 mod state_file;
 mod subject;
 mod suite;
+mod trouble;
 mod verdict;
 
 pub use blame::{Blame, Culprit, Follower};
@@ -64,9 +70,12 @@ pub use memory::{ChangedAnswer, EarlierQuestion, Memory, When};
 pub use precision::{Form, Least, Precision, Printing};
 pub use program::{MOST_STARTS, Program};
 pub use protocol::{Answer, AnswerLine, Asked, Hello, Question, numbers as read_numbers, read as read_answer};
+pub use recorded::{Recorded, Recorder};
 pub use report::Report;
 pub use schema::schemas;
+pub use selection::Selection;
 pub use state_file::load as load_state;
 pub use subject::{Chatter, Code, Subject};
 pub use suite::{Case, InvalidCase, Length, Per, Quantity, Reference, State, Suite, Tolerance};
+pub use trouble::{Remark, Trouble};
 pub use verdict::{Fault, Verdict, Wrong};

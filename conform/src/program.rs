@@ -3,9 +3,11 @@
 use std::time::{Duration, Instant};
 
 use crate::error::{Error, Result};
+use crate::lines::Lines;
 use crate::process::Process;
-use crate::protocol::{self, Answer, AnswerLine, Asked, Hello, Question};
+use crate::protocol::{Answer, AnswerLine, Asked, Hello, Question, quoted};
 use crate::subject::{Chatter, Subject};
+use crate::trouble::Remark;
 use crate::verdict::Fault;
 
 /// Time limit for the answer to `hello`, unless that of an answer is longer.
@@ -16,6 +18,8 @@ pub const MOST_STARTS: usize = 25;
 const MOST_CHATTER: usize = 100;
 /// Time limit for an answer after such a line, once the program has printed one in place of an answer.
 const SHORT_LIMIT: Duration = Duration::from_millis(10);
+/// Time for an answer after the program's input was closed.
+const LAST_LIMIT: Duration = Duration::from_secs(1);
 
 /// A program that answers lines of JSON. It is restarted if it has ended when the next question comes.
 pub struct Program {
@@ -26,6 +30,7 @@ pub struct Program {
     chatter_place: Option<ChatterPlace>,
     starts: usize,
     chatter: Chatter,
+    lines: Lines,
 }
 
 /// Picks the line that is waited for, or the fault that it shows; `None` to skip a line.
@@ -54,6 +59,7 @@ impl Program {
             chatter_place: None,
             starts: 0,
             chatter: Chatter::default(),
+            lines: Lines::default(),
         };
         program.running = Some(program.spawn()?);
         Ok(program)
@@ -86,8 +92,17 @@ impl Program {
         let before = self.chatter.lines;
         let outcome = process.send(line).and_then(|()| self.listen(&process, limit, wanted));
         match &outcome {
-            Err(Fault::TimeLimit(_) | Fault::Endless(_)) => process.end(),
+            Err(Fault::TimeLimit(_)) => {
+                let why = self.why_late(&mut process, wanted);
+                process.end();
+                self.lines.give_up();
+                return why.map_or(outcome, |why| Err(Fault::Buffered(why)));
+            }
+            Err(Fault::Endless(_)) => process.end(),
             Err(Fault::Crash(how)) => {
+                if let Some(words) = self.lines.give_up() {
+                    self.chatter.add(&words);
+                }
                 let mut report = process.exit_report(how);
                 if self.chatter.lines > before {
                     report += &format!("; it printed: {}", self.chatter.last);
@@ -99,40 +114,73 @@ impl Program {
         outcome
     }
 
+    /// Why the answer did not come in time, if it comes now that the program's input is closed.
+    fn why_late<T>(&mut self, process: &mut Process, wanted: Wanted<T>) -> Option<String> {
+        let started = Instant::now();
+        while let Some(left) = LAST_LIMIT.checked_sub(started.elapsed()) {
+            let line = process.last_words(left)?;
+            if self.lines.read(&line).into_iter().flatten().any(|line| matches!(wanted(line), Some(Ok(_)))) {
+                return Some(if line.ends_with('\n') {
+                    "it does not flush its output, or took a moment longer than the limit; flush standard output after each line \
+                     (C: fflush(stdout), Python: print(…, flush=True), Fortran: flush(output_unit)), or ask it through files \
+                     (--questions)"
+                        .into()
+                } else {
+                    "its line does not end; write a line feed after each answer, and flush standard output".into()
+                });
+            }
+        }
+        None
+    }
+
     /// Waits for a line that `wanted` accepts. Other lines are skipped; if nothing else comes, the first of them is the fault.
     fn listen<T>(&mut self, process: &Process, limit: Duration, wanted: Wanted<T>) -> Result<T, Fault> {
         let started = Instant::now();
-        let (mut deadline, mut first, mut count) = (limit, None, 0);
+        let (mut deadline, mut first, mut other, mut count) = (limit, None, None, 0);
         loop {
             // A program that writes on and on always has a line ready: the clock ends it, not silence.
             let left = deadline.checked_sub(started.elapsed()).filter(|left| !left.is_zero());
             let next = left.map_or(Ok(None), |left| process.next(left))?;
             let Some(line) = next else {
+                if let Some(words) = self.lines.give_up() {
+                    self.chatter.add(&words);
+                    first.get_or_insert(words);
+                }
+                let limit = format!("{} s", limit.as_secs_f64());
+                if let Some(id) = other {
+                    return Err(Fault::TimeLimit(format!(
+                        "{limit}, but one with the id `{id}`; it must be that of the question, letter by letter"
+                    )));
+                }
                 let Some(line) = first.filter(|_| self.chatter_place != Some(ChatterPlace::BeforeAnswers)) else {
-                    return Err(Fault::TimeLimit(format!("{} s", limit.as_secs_f64())));
+                    return Err(Fault::TimeLimit(limit));
                 };
                 self.chatter_place = Some(ChatterPlace::InPlaceOfAnswers);
                 return Err(Fault::Garbage(line));
             };
-            match protocol::read(&line)? {
-                AnswerLine::Chatter(words) if words.is_empty() => {}
-                AnswerLine::Chatter(words) => {
-                    count += 1;
-                    self.chatter.add(&words);
-                    if count > MOST_CHATTER {
-                        return Err(Fault::Garbage(words));
-                    }
-                    if self.chatter_place == Some(ChatterPlace::InPlaceOfAnswers) {
-                        deadline = limit.min(started.elapsed() + SHORT_LIMIT);
-                    }
-                    first.get_or_insert(words);
-                }
-                line => {
-                    if let Some(answer) = wanted(line) {
-                        if first.is_some() {
-                            self.chatter_place = Some(ChatterPlace::BeforeAnswers);
+            for read in self.lines.read(&line) {
+                match read? {
+                    AnswerLine::Chatter(words) if words.is_empty() => {}
+                    AnswerLine::Chatter(words) => {
+                        count += 1;
+                        self.chatter.add(&words);
+                        if count > MOST_CHATTER {
+                            return Err(Fault::Garbage(words));
                         }
-                        return answer;
+                        if self.chatter_place == Some(ChatterPlace::InPlaceOfAnswers) {
+                            deadline = limit.min(started.elapsed() + SHORT_LIMIT);
+                        }
+                        first.get_or_insert(words);
+                    }
+                    line => {
+                        let id = if let AnswerLine::Answer { id, .. } = &line { Some(quoted(id)) } else { None };
+                        if let Some(answer) = wanted(line) {
+                            if first.is_some() {
+                                self.chatter_place = Some(ChatterPlace::BeforeAnswers);
+                            }
+                            return answer;
+                        }
+                        other = id;
                     }
                 }
             }
@@ -178,5 +226,9 @@ impl Subject for Program {
 
     fn chatter(&self) -> Chatter {
         self.chatter.clone()
+    }
+
+    fn remarks(&self) -> Vec<Remark> {
+        self.lines.remarks()
     }
 }

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::protocol::{Answer, Asked, Hello, Question};
+use crate::trouble::Remark;
 use crate::verdict::Fault;
 
 /// What is examined. [`Program`](crate::Program) asks a process, [`Code`] a closure.
@@ -19,6 +20,11 @@ pub trait Subject {
     /// # Errors
     /// The fault that came in place of an answer.
     fn ask(&mut self, question: &Asked) -> Result<Answer, Fault>;
+
+    /// Whether a question can be asked twice. Answers that were recorded cannot.
+    fn can_repeat(&self) -> bool {
+        true
+    }
 
     /// Forgets everything that was asked before, as a fresh process does; `false` if it cannot.
     fn restart(&mut self) -> bool {
@@ -38,6 +44,11 @@ pub trait Subject {
     /// Lines on its standard output that are not JSON objects.
     fn chatter(&self) -> Chatter {
         Chatter::default()
+    }
+
+    /// What was wrong with the form of its answers.
+    fn remarks(&self) -> Vec<Remark> {
+        Vec::new()
     }
 }
 

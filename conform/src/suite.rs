@@ -39,8 +39,7 @@ pub struct Suite {
 }
 
 /// Description of a quantity.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Clone, Debug, Deserialize)]
 pub struct Quantity {
     /// Whether there is a value for each point of the state, or one for the element; null for (23).
     pub per: Option<Per>,
@@ -177,13 +176,14 @@ impl Suite {
     fn add(&mut self, name: &str, text: &str) -> Result<(), String> {
         let mut json: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
         self.versions.insert(name.into(), read(&json["version"], "version")?);
+        // Files before structure.json 1.2 and invalid.json 1.2 have `cases` alone.
+        let list = if json["states"].is_null() { "cases" } else { "states" };
         if name == "invalid.json" {
-            self.invalid = read(&json["cases"], "cases")?;
+            self.invalid = read(&json[list], list)?;
             return Ok(());
         }
         self.quantities.extend(read::<BTreeMap<String, Quantity>>(&json["quantities"], "quantities")?);
-        let list = if name == "structure.json" { "cases" } else { "states" };
-        let Value::Array(cases) = json[list].take() else { return Err(format!("no list `{list}`")) };
+        let Value::Array(cases) = json[list].take() else { return Err("no list `states`".into()) };
         for case in &cases {
             let id: String = read(&case["id"], "id of a case")?;
             self.cases.push(self.read_case(name, case).map_err(|reason| format!("{id}: {reason}"))?);

@@ -1,7 +1,7 @@
 //! One answer compared with its reference value.
 
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::suite::Reference;
 
@@ -43,7 +43,7 @@ pub struct Wrong {
 }
 
 /// Why an answer has no numbers to compare.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "fault", content = "detail")]
 pub enum Fault {
     /// The program reported an error; `detail` is its message.
@@ -58,6 +58,8 @@ pub enum Fault {
     Endless(String),
     /// No answer within the time limit; the program was killed. `detail` is the limit.
     TimeLimit(String),
+    /// The answer came only when the program's input was closed; `detail` says why, and what to do.
+    Buffered(String),
     /// The program ended; `detail` is its exit status and last message.
     Crash(String),
     /// The question was not asked; `detail` is the reason.
@@ -74,6 +76,7 @@ impl Fault {
             Fault::Garbage(_) => "no answer but another line",
             Fault::Endless(_) => "a line without an end",
             Fault::TimeLimit(_) => "no answer in time",
+            Fault::Buffered(_) => "no answer until its input was closed",
             Fault::Crash(_) => "ended",
             Fault::NotAsked(_) => "not asked any more",
         }
@@ -89,6 +92,7 @@ impl std::fmt::Display for Fault {
             Fault::Garbage(line) => write!(f, "not an answer: {line}"),
             Fault::Endless(length) => write!(f, "a line that does not end: {length}; the program was killed"),
             Fault::TimeLimit(limit) => write!(f, "no answer within {limit}"),
+            Fault::Buffered(why) => write!(f, "no answer until its input was closed: {why}"),
             Fault::Crash(how) => write!(f, "the program ended: {how}"),
             Fault::NotAsked(why) => write!(f, "not asked: {why}"),
         }
