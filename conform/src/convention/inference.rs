@@ -222,21 +222,22 @@ impl Inference<'_> {
         let wrong: Vec<&str> = bases.iter().copied().filter(|basis| status.1.contains(basis)).collect();
         // First layouts that a quantity fits entirely, then those that it fits but for one nodal vector, which may be a mistake.
         for spare in [0, 1] {
-            for basis in [None].into_iter().chain(wrong.iter().copied().map(Some)) {
-                let mut tried: Vec<Conventions> = Vec::new();
-                for matrices in &lists {
-                    let with_lists = Conventions { matrices: *matrices, ..self.conventions.clone() };
-                    let Some(row) = basis.and_then(|basis| self.evidence.row(basis)) else {
-                        tried.push(with_lists);
-                        continue;
-                    };
-                    let found = read_off::layouts(&self.evidence, row, &usual, *matrices, spare);
+            let bases = if wrong.is_empty() { vec![None] } else { wrong.iter().copied().map(Some).collect() };
+            for basis in bases {
+                // Lists alone may explain a quantity that lists and layout explain, too: in blocks by columns S is as interleaved by rows.
+                let with_lists =
+                    lists.iter().map(|matrices| Conventions { matrices: *matrices, ..self.conventions.clone() });
+                let with_lists: Vec<Conventions> = with_lists.collect();
+                let mut tried = if spare == 0 { with_lists.clone() } else { Vec::new() };
+                let row = basis.and_then(|basis| self.evidence.row(basis));
+                for (row, with_lists) in row.iter().flat_map(|row| with_lists.iter().map(move |with| (row, with))) {
+                    let found = read_off::layouts(&self.evidence, row, &usual, with_lists.matrices, spare);
                     if spare > 0 && found.contains(&usual) {
                         continue;
                     }
                     let layouts =
                         found.into_iter().filter(|layout| self.keep_declared(layout.clone(), &usual) == *layout);
-                    tried.extend(layouts.map(|layout| family.with(&with_lists, layout)));
+                    tried.extend(layouts.map(|layout| family.with(with_lists, layout)));
                 }
                 let read_off = basis.filter(|_| spare > 0);
                 if self.best_layout(family, &tried, &status, read_off) {
