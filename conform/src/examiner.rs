@@ -187,7 +187,7 @@ impl Examiner<'_> {
     }
 
     fn verdict(&mut self, quantity: &str, case: &Case, reference: &Reference, given: &[&str]) -> Verdict {
-        let given = case.given(given);
+        let given = case.given(quantity, given);
         match self.ask(quantity, &case.state_json, given) {
             Ok(Answer::Value(value)) => match protocol::numbers(&value, &reference.shape) {
                 Ok(numbers) => Verdict::of(numbers, reference),

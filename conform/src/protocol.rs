@@ -42,16 +42,16 @@ pub enum Question<'a> {
     Quantity {
         /// Name of the quantity that is asked for, such as 21.K_1.
         equation: &'a str,
-        /// Reference values of other quantities, by name, each in its SI unit. For (23) always those of 23.m, 23.Q_e, 23.f and 23.Phi_q.
-        /// Otherwise the inputs of a quantity that failed before, if the program accepts them.
+        /// Reference values of other quantities, by name, each in its SI unit. For (23) those of 23.m, 23.Q_e, 23.f and 23.Phi_q, but
+        /// where one of these or 23.Phi is asked for. Otherwise the inputs of a quantity that failed before, if the program accepts them.
         #[serde(skip_serializing_if = "BTreeMap::is_empty")]
         #[schemars(with = "BTreeMap<String, Numbers>")]
         given: BTreeMap<&'a str, &'a Value>,
         /// Name of the question; the answer repeats it.
         #[schemars(length(min = 1))]
         id: &'a str,
-        /// State in SI units: of an element as in equations.json or cable.json, for (23) that of a case in structure.json. It may be one
-        /// of invalid.json.
+        /// State in SI units: of an element as in equations.json or cable.json, for (23) that of a case in structure.json, with its
+        /// `scene` and `rows` where it has them. It may be one of invalid.json.
         #[schemars(with = "Map<String, Value>")]
         state: &'a Value,
     },
@@ -323,11 +323,11 @@ mod tests {
             let Err(Fault::Garbage(message)) = read(line) else { panic!("{line}") };
             assert!(message.starts_with(line) && message.contains(words), "{message}");
         }
-        let Ok(AnswerLine::Hello { hello }) = read(r#"{"hello":{"name":null,"quantities":["7.M","1.R","23.m"]}}"#)
+        let Ok(AnswerLine::Hello { hello }) = read(r#"{"hello":{"name":null,"quantities":["7.M","1.R","23.M"]}}"#)
         else {
             panic!()
         };
-        assert_eq!(hello.unknown().collect::<Vec<_>>(), ["1.R", "23.m"]);
+        assert_eq!(hello.unknown().collect::<Vec<_>>(), ["1.R", "23.M"]);
     }
 
     #[test]
