@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
 use ancf::model::{Model, Scene, ThermalModel};
 use ancf::run::{Run, Simulation, Trajectory};
+use ancf_conform::trajectory::{Request, compare};
 use ancf_conform::{Options, Report, Suite, equations_text, examine, load_state};
 use ancf_study::escape;
 use ancf_study::files::{Files, written_lines};
@@ -113,8 +114,10 @@ enum Command {
         allow_partial: bool,
         #[command(flatten)]
         out: Out,
+        #[command(flatten)]
+        motion: MotionOptions,
         /// The program and its arguments; it answers lines of JSON with lines of JSON (fixtures/README.md).
-        #[arg(last = true, required = true, value_name = "COMMAND")]
+        #[arg(last = true, required_unless_present = "trajectory", value_name = "COMMAND")]
         command: Vec<String>,
     },
     /// List the built-in scenes.
@@ -126,6 +129,21 @@ enum Command {
         #[command(flatten)]
         scissors: ScissorsOptions,
     },
+}
+
+/// A motion in place of a program.
+#[derive(clap::Args)]
+#[command(next_help_heading = "A motion in place of a program")]
+struct MotionOptions {
+    /// Motion that a program wrote, CSV or JSON, to compare with one of the fixtures; a second file with another step shows the order.
+    #[arg(long, value_name = "FILE", num_args = 1..=2, requires = "scene", conflicts_with = "command")]
+    trajectory: Vec<PathBuf>,
+    /// Name of that motion; an unknown name lists all.
+    #[arg(long, value_name = "ID", requires = "trajectory")]
+    scene: Option<String>,
+    /// Steps of the files, s, where they do not say so themselves.
+    #[arg(long, value_name = "A,B", value_delimiter = ',', requires = "trajectory")]
+    steps: Vec<f64>,
 }
 
 /// What can be changed in the scenes `scissors-<n>`.
@@ -182,7 +200,11 @@ fn main() -> ExitCode {
             error_time::study(&options, &out.folder, print).map_err(Error::from)
         }
         Some(Command::Equations { state }) => print_equations(state),
-        Some(Command::Conform { fixtures, time_limit, no_given, allow_partial, out, command }) => {
+        Some(Command::Conform { motion: MotionOptions { trajectory, scene: Some(scene), steps }, out, .. }) => {
+            let request = Request { files: trajectory.clone(), scene: scene.clone(), steps: steps.clone() };
+            conform_motion(&request, &out.folder)
+        }
+        Some(Command::Conform { fixtures, time_limit, no_given, allow_partial, out, command, .. }) => {
             let options = Options { time_limit: *time_limit, given: !no_given };
             conform(command, fixtures.as_deref(), options, *allow_partial, &out.folder)
         }
@@ -304,6 +326,22 @@ fn conform(
         what if !what.is_empty() && !allow_partial => Err(Error::PartlyChecked { what }),
         _ => Ok(()),
     }
+}
+
+/// `ancf conform --trajectory`.
+fn conform_motion(request: &Request, folder: &Path) -> Result<()> {
+    let read: Vec<&Path> = request.files.iter().map(PathBuf::as_path).collect();
+    let mut files = Files::in_folder(folder, CONFORM_FILES, &read)?;
+    let mut outcome = compare(request)?;
+    let text = outcome.markdown();
+    files.identify(serde_json::to_value(&outcome).unwrap_or_default().to_string().as_bytes());
+    outcome.run = files.run_id();
+    files
+        .write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &serde_json::to_value(&outcome)?)?))?;
+    files.write_text("conformance.md", text.clone())?;
+    let paths = files.publish()?;
+    print(&format!("{text}\n{}", written_lines(&paths)))?;
+    if outcome.passes() { Ok(()) } else { Err(Error::OtherMotion { summary: outcome.summary }) }
 }
 
 /// `ancf plan`.

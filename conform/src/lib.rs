@@ -25,7 +25,7 @@
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
 // schema, report, examiner, examination, diagnosis, blame, subject, process, protocol; equations_text, state_file;
-// verdict, suite, numbers, graph, error.
+// verdict, suite, numbers, graph, error. `trajectory` stands beside them: of this crate it imports error alone.
 mod blame;
 mod diagnosis;
 mod equations_text;
@@ -41,6 +41,7 @@ mod schema;
 mod state_file;
 mod subject;
 mod suite;
+pub mod trajectory;
 mod verdict;
 
 pub use blame::{Blame, Culprit, Follower};

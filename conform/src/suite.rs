@@ -300,7 +300,8 @@ mod tests {
         let asked: BTreeSet<&str> = GRAPH.iter().map(|node| node.quantity).collect();
         let stored = suite.quantities.keys().map(String::as_str);
         assert_eq!(asked, stored.filter(|id| !id.contains("/printed")).collect());
-        let of_a_case: BTreeSet<&str> = suite.cases.iter().flat_map(|case| case.values.keys()).map(String::as_str).collect();
+        let of_a_case: BTreeSet<&str> =
+            suite.cases.iter().flat_map(|case| case.values.keys()).map(String::as_str).collect();
         assert!(asked.is_subset(&of_a_case), "no case has {:?}", asked.difference(&of_a_case));
     }
 

@@ -90,9 +90,10 @@ fn subject() {
             (Value::Null, Some(equation)) => {
                 assert!(question["given"].is_null(), "nothing is given with {equation}");
                 let value = term(equation, &question["state"], &mistake);
-                value.map_or(json!({"id": question["id"], "not_implemented": true}), |value| {
-                    json!({"id": question["id"], "value": value})
-                })
+                value.map_or(
+                    json!({"id": question["id"], "not_implemented": true}),
+                    |value| json!({"id": question["id"], "value": value}),
+                )
             }
             _ => json!({"hello": {"name": "assembler", "quantities": TERMS}}),
         };
