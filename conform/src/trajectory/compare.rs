@@ -24,6 +24,8 @@ use crate::error::{Error, Result};
 const AGREES: f64 = 1e-6;
 /// A difference within this many errors of right methods with the same step is one of the step.
 const EXPLAINED: f64 = 2.0;
+/// A difference beyond this many is a mistake also without a name; in between, a method may have larger errors than others of its order.
+const UNEXPLAINED: f64 = 10.0;
 /// Lowest order in which a right method is expected to come to its limit; waves that no step resolves lower it.
 const LEAST_ORDER: f64 = 0.8;
 /// Below this order a method has lost one, where methods of second order show at least [`SECOND`].
@@ -389,7 +391,7 @@ impl<'a> Comparison<'a> {
                 }
             }
             None if explained => Verdict::ShortenTheStep,
-            None if expected.is_some() => Verdict::Mistake,
+            None if expected.is_some_and(|expected| off > UNEXPLAINED * expected.position) => Verdict::Mistake,
             None => Verdict::Undecided,
         }
     }
