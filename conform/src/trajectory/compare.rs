@@ -508,7 +508,15 @@ impl<'a> Comparison<'a> {
     /// Energies of the program beside the reference's.
     fn energies(&self) -> Vec<EnergyResult> {
         let (run, _) = self.last();
-        let (own, right) = (&run.sampled.frames.energy, self.right(run).energy);
+        let (mut own, mut right) = (run.sampled.frames.energy.clone(), self.right(run).energy);
+        for table in [&mut own, &mut right] {
+            // The height from which the potential counts is anybody's choice.
+            let potential = table.get_mut("potential");
+            potential.into_iter().for_each(|list| {
+                let first = list.first().copied().unwrap_or(0.0);
+                list.iter_mut().for_each(|energy| *energy -= first);
+            });
+        }
         let scale = right
             .iter()
             .filter(|(name, _)| *name != "input")
@@ -531,7 +539,7 @@ impl<'a> Comparison<'a> {
             let total = |table: &BTreeMap<String, Vec<f64>>, n: usize| -> f64 {
                 ["kinetic", "strain", "potential"].iter().filter_map(|name| table.get(*name)?.get(n)).sum()
             };
-            let off: Vec<f64> = (0..run.sampled.frames.t.len()).map(|n| total(own, n) - total(&right, n)).collect();
+            let off: Vec<f64> = (0..run.sampled.frames.t.len()).map(|n| total(&own, n) - total(&right, n)).collect();
             all.push(EnergyResult {
                 name: "total".into(),
                 off: off.iter().fold(0.0, |a: f64, b| a.max(b.abs())),
@@ -572,7 +580,7 @@ impl<'a> Comparison<'a> {
                         "positions agree, the {} energy does not: off by {:.1e} J{factor}",
                         energy.name, energy.off
                     ),
-                    look_at: "how this energy is computed, and from which height or heat it counts".into(),
+                    look_at: "how this energy is computed, and from which heat it counts".into(),
                     distance: 0.0,
                 });
             }
