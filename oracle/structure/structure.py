@@ -43,9 +43,7 @@ CONVENTIONS = {
     "trajectories": "from rest at the initial structure. position and velocity by point; reactions: force of "
                     "the supports on the structure, by point; moments: moment of a clamp on the structure, "
                     "counter-clockwise, by point; pins: by point and rod, the force on that rod by the pin. "
-                    "Each has an entry for each t. nodal.q and initial_acceleration: all coordinates in the order of q. "
-                    "masses: by rod, the mass matrix for one component of its vectors; the other component has the same, "
-                    "and nothing couples them or the rods.",
+                    "Each has an entry for each t.",
     "energy": "kinetic; strain, as the integral of C_ijkl (E - E_T)_ij (E - E_T)_kl / 2; potential of the "
               "weight, zero at y = 0; input, the work of point forces and of heating since t = 0. "
               "energy_drift is the largest error of the balance; a kept one is no evidence of accuracy.",
@@ -87,8 +85,3 @@ def differences(stored, fresh):
     kept = {tool: version for tool, version in stored.get("generator", {}).items() if tool in tools}
     fresh = fresh | {"generator": fresh["generator"] | kept}
     return fixture.differences(trajectories.settled_runs(stored, fresh), fresh)
-
-
-def keep(stored, fresh):
-    """The fresh document with the stored digits wherever rounding explains the difference: no value changes unless it must."""
-    return trajectories.settled_runs(fresh, stored)
