@@ -25,11 +25,23 @@ pub enum Error {
     Conform(#[from] ancf_conform::Error),
     /// A program under test is right where it was asked, and was asked only a part.
     #[error(
-        "the program is only partly checked: {what}; allowed: answers in all cases of what it implements, or `--allow-partial`"
+        "the program is only partly checked: {what}{}; allowed: answers in all cases of what it implements, or `--allow-partial`",
+        left_out_text(left_out)
     )]
     PartlyChecked {
         /// What was checked in part.
         what: String,
+        /// Tags of which it leaves out every state.
+        left_out: Vec<String>,
+    },
+    /// A program under test is right, and does not refuse all invalid states, as the user demands.
+    #[error(
+        "the program should refuse {states} more invalid state(s), which conformance.md lists; allowed: an answer with `error` for each, \
+         or no `--must-refuse`"
+    )]
+    NotRefusing {
+        /// Number of states that were not refused.
+        states: usize,
     },
     /// A motion under test differs from that of the fixtures.
     #[error("the motion does not conform: {summary}")]
@@ -53,9 +65,14 @@ impl Error {
             Error::Study(error) => error.is_bad_input(),
             Error::Unwritten { error, .. } => error.is_bad_input(),
             Error::Conform(_) => true,
-            Error::NotConforming { .. } | Error::OtherMotion { .. } => false,
+            Error::NotConforming { .. } | Error::NotRefusing { .. } | Error::OtherMotion { .. } => false,
             Error::PartlyChecked { .. } => return 3,
         };
         if is_bad_input { 2 } else { 1 }
     }
+}
+
+/// Tags of which every state is left out, as a phrase.
+fn left_out_text(tags: &[String]) -> String {
+    if tags.is_empty() { String::new() } else { format!("; it leaves out every state tagged {}", tags.join(", ")) }
 }

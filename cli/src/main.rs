@@ -1,16 +1,17 @@
 //! Command line: parsing and printing only.
 
+mod conform;
+
 use std::cell::Cell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
 use ancf::model::{Model, Scene, ThermalModel};
 use ancf::run::{Run, Simulation, Trajectory};
-use ancf_conform::trajectory::{Request, compare};
-use ancf_conform::{Options, Report, Suite, equations_text, examine, load_state};
+use ancf_conform::{equations_text, load_state};
 use ancf_study::escape;
 use ancf_study::files::{Files, written_lines};
 use ancf_study::{error_time, stability};
@@ -99,27 +100,7 @@ enum Command {
     },
     /// Test another implementation: which equation is wrong, and what kind of mistake fits; writes conformance.json and
     /// conformance.md.
-    Conform {
-        /// Folder with the reference values; those that this program was built with, if it is left out.
-        #[arg(long, value_name = "DIR")]
-        fixtures: Option<PathBuf>,
-        /// Time that one answer may take, s.
-        #[arg(long, value_name = "S", default_value = "10", value_parser = seconds)]
-        time_limit: Duration,
-        /// Never hand over intermediate values, also to a program that takes them.
-        #[arg(long)]
-        no_given: bool,
-        /// Exit code 0 in place of 3 for a program that is right, but answers what it implements in some cases only.
-        #[arg(long)]
-        allow_partial: bool,
-        #[command(flatten)]
-        out: Out,
-        #[command(flatten)]
-        motion: MotionOptions,
-        /// The program and its arguments; it answers lines of JSON with lines of JSON (fixtures/README.md).
-        #[arg(last = true, required_unless_present = "trajectory", value_name = "COMMAND")]
-        command: Vec<String>,
-    },
+    Conform(conform::Arguments),
     /// List the built-in scenes.
     Scenes,
     /// Print a built-in scene as JSON, a file to start from.
@@ -129,21 +110,6 @@ enum Command {
         #[command(flatten)]
         scissors: ScissorsOptions,
     },
-}
-
-/// A motion in place of a program.
-#[derive(clap::Args)]
-#[command(next_help_heading = "A motion in place of a program")]
-struct MotionOptions {
-    /// Motion that a program wrote, CSV or JSON, to compare with one of the fixtures; a second file with another step shows the order.
-    #[arg(long, value_name = "FILE", num_args = 1..=2, requires = "scene", conflicts_with = "command")]
-    trajectory: Vec<PathBuf>,
-    /// Name of that motion; an unknown name lists all.
-    #[arg(long, value_name = "ID", requires = "trajectory")]
-    scene: Option<String>,
-    /// Steps of the files, s, where they do not say so themselves.
-    #[arg(long, value_name = "A,B", value_delimiter = ',', requires = "trajectory")]
-    steps: Vec<f64>,
 }
 
 /// What can be changed in the scenes `scissors-<n>`.
@@ -200,14 +166,7 @@ fn main() -> ExitCode {
             error_time::study(&options, &out.folder, print).map_err(Error::from)
         }
         Some(Command::Equations { state }) => print_equations(state),
-        Some(Command::Conform { motion: MotionOptions { trajectory, scene: Some(scene), steps }, out, .. }) => {
-            let request = Request { files: trajectory.clone(), scene: scene.clone(), steps: steps.clone() };
-            conform_motion(&request, &out.folder)
-        }
-        Some(Command::Conform { fixtures, time_limit, no_given, allow_partial, out, command, .. }) => {
-            let options = Options { time_limit: *time_limit, given: !no_given };
-            conform(command, fixtures.as_deref(), options, *allow_partial, &out.folder)
-        }
+        Some(Command::Conform(arguments)) => conform::conform(arguments),
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
         Some(Command::Scenes) => list_scenes(),
@@ -281,67 +240,9 @@ fn load(name: &str, options: &ScissorsOptions) -> Result<Model> {
     }
 }
 
-/// Reads a time in seconds.
-fn seconds(text: &str) -> std::result::Result<Duration, String> {
-    let allowed = || "allowed: a number over 0 and up to 3600".to_string();
-    let seconds: f64 = text.parse().map_err(|_| allowed())?;
-    if seconds > 0.0 && seconds <= 3600.0 { Ok(Duration::from_secs_f64(seconds)) } else { Err(allowed()) }
-}
-
 /// `ancf equations`.
 fn print_equations(state: &str) -> Result<()> {
     Ok(print(&equations_text(&load_state(state)?, state)?)?)
-}
-
-/// Files that `ancf conform` writes.
-const CONFORM_FILES: [&str; 2] = ["conformance.json", "conformance.md"];
-
-/// `ancf conform`.
-fn conform(
-    command: &[String],
-    fixtures: Option<&Path>,
-    options: Options,
-    allow_partial: bool,
-    folder: &Path,
-) -> Result<()> {
-    let suite = fixtures.map_or_else(Suite::embedded, Suite::load)?;
-    let words = command.iter().map(Path::new).chain(fixtures);
-    let mut files = Files::in_folder(folder, CONFORM_FILES, &words.collect::<Vec<_>>())?;
-    let bar = ProgressBar::new(100);
-    let examination = examine(&suite, command, options, |share| bar.set_position((100.0 * share) as u64));
-    bar.finish_and_clear();
-    let mut report = Report::new(&suite, &examination?);
-    let text = report.markdown();
-    // Keys of JSON in alphabetical order.
-    files.identify(serde_json::to_value(&report).unwrap_or_default().to_string().as_bytes());
-    report.run = files.run_id();
-    files.write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &serde_json::to_value(&report)?)?))?;
-    files.write_text("conformance.md", text.clone())?;
-    let paths = files.publish()?;
-    print(&format!("{text}\n{}", written_lines(&paths)))?;
-    if !report.passes {
-        return Err(Error::NotConforming { summary: report.summary() });
-    }
-    match report.partly_checked_text() {
-        what if !what.is_empty() && !allow_partial => Err(Error::PartlyChecked { what }),
-        _ => Ok(()),
-    }
-}
-
-/// `ancf conform --trajectory`.
-fn conform_motion(request: &Request, folder: &Path) -> Result<()> {
-    let read: Vec<&Path> = request.files.iter().map(PathBuf::as_path).collect();
-    let mut files = Files::in_folder(folder, CONFORM_FILES, &read)?;
-    let mut outcome = compare(request)?;
-    let text = outcome.markdown();
-    files.identify(serde_json::to_value(&outcome).unwrap_or_default().to_string().as_bytes());
-    outcome.run = files.run_id();
-    files
-        .write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &serde_json::to_value(&outcome)?)?))?;
-    files.write_text("conformance.md", text.clone())?;
-    let paths = files.publish()?;
-    print(&format!("{text}\n{}", written_lines(&paths)))?;
-    if outcome.passes() { Ok(()) } else { Err(Error::OtherMotion { summary: outcome.summary }) }
 }
 
 /// `ancf plan`.
@@ -385,10 +286,15 @@ fn list_scenes() -> Result<()> {
     Ok(print(&list)?)
 }
 
-/// Prints on standard output, without what a terminal would obey; that a reader like `head` has seen enough is no error.
+/// Prints on standard output, without what a terminal would obey.
 fn print(text: &str) -> ancf_study::error::Result<()> {
+    print_data(&escape::terminal(text))
+}
+
+/// Prints what another program reads on standard output; that a reader like `head` has seen enough is no error.
+fn print_data(text: &str) -> ancf_study::error::Result<()> {
     let mut out = io::stdout().lock();
-    match out.write_all(escape::terminal(text).as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
             Err(ancf_study::error::Error::Write { path: "standard output".into(), source })
         }

@@ -10,7 +10,8 @@ use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
 use ancf_conform::{
-    Examination, Fault, GRAPH, InvalidOutcome, MOST_STARTS, Options, Reference, Report, Suite, Verdict, examine,
+    Examination, Fault, GRAPH, InvalidOutcome, MOST_STARTS, Options, Program, Reference, Report, Suite, Verdict,
+    examine,
 };
 use serde_json::{Value, json};
 
@@ -57,8 +58,8 @@ fn always(answer: &str, limit: f64) -> Examination {
 }
 
 fn examined(command: &[String], limit: f64) -> Examination {
-    let options = Options { time_limit: Duration::from_secs_f64(limit), given: true };
-    examine(&Suite::embedded().unwrap(), command, options, |_| {}).unwrap()
+    let mut program = Program::start(command, Duration::from_secs_f64(limit)).unwrap();
+    examine(&Suite::embedded().unwrap(), &mut program, Options::default(), |_| {})
 }
 
 fn text_of(examination: &Examination) -> String {
@@ -148,10 +149,10 @@ fn a_banner_before_hello_is_passed_over() {
 #[test]
 fn a_program_that_never_speaks_json_has_no_kind_of_mistake() {
     let started = Instant::now();
-    let examination = always("printf \"{'id': '%s', 'value': 0.0}\\n\" \"$id\";", 1.0);
+    let examination = always("printf \"id=%s, value=0.0\\n\" \"$id\";", 1.0);
     let faults = faults(&examination);
     assert_eq!(faults.len(), 36);
-    assert!(faults.iter().all(|fault| matches!(fault, Fault::Garbage(line) if line.starts_with("{'id': '"))));
+    assert!(faults.iter().all(|fault| matches!(fault, Fault::Garbage(line) if line.starts_with("id=17"))));
     // The first time it has all its time, then it is known.
     assert!(started.elapsed() < Duration::from_secs(10), "{:?}", started.elapsed());
     let text = text_of(&examination);
@@ -197,19 +198,22 @@ fn prepared(given: bool, answer: impl Fn(&str, &Reference, bool) -> Value) -> Ex
         let nodes = GRAPH.iter().filter(move |node| !again || !node.given.is_empty());
         let mut answers = Vec::new();
         for node in nodes {
-            let rights = suite.cases.iter().filter_map(|case| case.values.get(node.quantity));
-            answers.extend(rights.map(|right| answer(node.quantity, right, again)));
+            let behind = if again { "/given" } else { "" };
+            let rights = suite.cases.iter().filter_map(|case| Some((&case.id, case.values.get(node.quantity)?)));
+            answers.extend(rights.map(|(case, right)| {
+                (format!("{}/{case}{behind}", node.quantity), answer(node.quantity, right, again))
+            }));
         }
         answers
     };
     let mut answers = round(false);
-    answers.extend(suite.invalid.iter().map(|_| json!({"error": "no"})));
+    answers.extend(suite.invalid.iter().map(|case| (format!("{}/{}", case.equation, case.id), json!({"error": "no"}))));
     if given {
         answers.extend(round(true));
     }
     let mut text = format!("{}\n", json!({"hello": {"name": "prepared", "given": given}}));
-    for (n, mut answer) in answers.into_iter().enumerate() {
-        answer["id"] = (n + 1).to_string().into();
+    for (id, mut answer) in answers {
+        answer["id"] = id.into();
         text += &format!("{answer}\n");
     }
     let folder = tempfile::tempdir().unwrap();
@@ -355,8 +359,7 @@ fn a_program_that_always_crashes_is_given_up() {
     let all: Vec<String> = GRAPH.iter().map(|node| format!("\"{}\"", node.quantity)).collect();
     let command = script(folder.path(), &all.join(","), "", ":");
     fs::write(&command[1], fs::read_to_string(&command[1]).unwrap().replace("n=$((n+1))", "exit 1")).unwrap();
-    let options = Options { time_limit: Duration::from_secs(5), given: true };
-    let examination = examine(&Suite::embedded().unwrap(), &command, options, |_| {}).unwrap();
+    let examination = examined(&command, 5.0);
     assert_eq!(examination.starts, MOST_STARTS);
     let verdicts: Vec<&Verdict> =
         examination.verdicts.iter().flat_map(|(_, cases)| cases.iter().map(|c| &c.1)).collect();
@@ -403,8 +406,8 @@ fn the_command_writes_a_report_and_ends_with_1() {
         "ν in the wrong place (λ = 0)",
         "**Also wrong by itself: (17), `17.mu`.**",
         "Only in states tagged nu.",
-        "| 17.lambda | **fail** | 12 / 36 | 0.7 | `rest-vertical`: 0e0, expected 1.5e3 |",
-        "| 1.r | not implemented | – | – |  |",
+        "| 17.lambda | **fail** | 12 / 36 / 36 | 0.7 | `rest-vertical`: 0e0, expected 1.5e3 |",
+        "Not implemented: 70 quantities: (4), ",
     ] {
         assert!(text.contains(part), "no {part:?} in:\n{text}");
     }
@@ -424,6 +427,7 @@ fn a_command_that_cannot_be_used_leaves_nothing() {
         (&["conform", "--", "./no-such-program"], 2, "cannot start the command `./no-such-program`"),
         (&["conform", "--fixtures", "nowhere", "--", "true"], 2, "cannot read nowhere/equations.json"),
         (&["conform", "--time-limit", "0", "--", "true"], 2, "allowed: a number over 0 and up to 3600"),
+        (&["conform", "--digits", "17", "--", "true"], 2, "17 is not in 1..=16"),
     ] {
         let output = ancf(folder.path(), arguments);
         let message = String::from_utf8(output.stderr).unwrap();
@@ -471,8 +475,7 @@ fn the_partial_adapter_in_javascript_passes() {
         return;
     }
     let adapter = concat!(env!("CARGO_MANIFEST_DIR"), "/../fixtures/adapters/shape.mjs");
-    let options = Options { time_limit: Duration::from_secs(20), given: true };
-    let examination = examine(&Suite::embedded().unwrap(), &["node".into(), adapter.into()], options, |_| {}).unwrap();
+    let examination = examined(&["node".into(), adapter.into()], 20.0);
     assert!(examination.passes(), "{:?}", examination.blame);
     assert_eq!(examination.implemented(), 8);
 }
@@ -521,10 +524,11 @@ fn a_program_that_answers_some_cases_only_is_partly_checked() {
     let (text, message) = (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap());
     assert_eq!(output.status.code(), Some(3), "{message}");
     let headline = text.lines().nth(2).unwrap();
-    assert!(headline.starts_with("1 quantities pass, 0 fail") && headline.contains("Partly checked: "), "{headline}");
+    assert!(headline.starts_with("**Partly checked: right where it answers"), "{headline}");
+    assert!(headline.contains("1 quantities pass, 0 fail"), "{headline}");
     assert!(headline.contains("12 of 36 cases of `17.lambda`"), "{headline}");
     assert!(message.contains("only partly checked") && message.contains("`--allow-partial`"), "{message}");
-    assert!(text.contains("| 17.lambda | **partly checked** | 12 / 12 of 36 |"), "{text}");
+    assert!(text.contains("| 17.lambda | **partly checked** | 12 / 12 / 36 |"), "{text}");
     let report: Value =
         serde_json::from_str(&fs::read_to_string(folder.path().join("out/conformance.json")).unwrap()).unwrap();
     assert_eq!(report["partly_checked"][0], json!({"quantity": "17.lambda", "checked": 12, "of": 36}));
@@ -548,4 +552,198 @@ fn what_a_program_says_commands_no_terminal() {
     // Nor does a word of the command line.
     let message = ancf(folder.path(), &["conform", "--", "\u{1b}[2Jprogram"]).stderr;
     assert!(String::from_utf8(message).unwrap().contains("cannot start the command `\\u{1b}[2Jprogram`"));
+}
+
+/// A program in a shell script of its own: `body` answers, and may use `$line` and `$id`.
+fn program(folder: &Path, hello: &str, body: &str) -> [String; 2] {
+    let text = format!(
+        r#"while IFS= read -r line; do
+  case $line in
+    *'"hello"'*) {hello} ;;
+    *) id=${{line#*'"id":"'}}; id=${{id%%'"'*}}; {body} ;;
+  esac
+done
+"#
+    );
+    let path = folder.join("own.sh");
+    fs::write(&path, text).unwrap();
+    ["sh".into(), path.display().to_string()]
+}
+
+const HELLO: &str = r#"printf '{"hello":{"name":"own","quantities":["17.lambda"]}}\n'"#;
+
+/// λ = 0, right where ν = 0, in spellings that are not JSON: right, with a remark.
+#[test]
+fn answers_that_are_almost_json_are_read_and_the_trouble_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    for (answer, what, advice) in [
+        (r#"printf '{"id":"%s","value":0.0D+00}\n' "$id""#, "Fortran's exponents", "Write an E for the D"),
+        (r#"printf '{"id":"%s","value":.0}\n' "$id""#, "begin or end with the decimal point", "0.5, 1.0"),
+        (r#"printf '{"id":"%s","value":0.}\n' "$id""#, "begin or end with the decimal point", "0.5, 1.0"),
+        (r#"printf '{"id":"%s","value":+0.0}\n' "$id""#, "numbers with a plus sign", "Leave the plus sign out"),
+        (r#"printf '{"id":"%s","value":0.0,}\n' "$id""#, "a comma behind the last entry", "between entries only"),
+        (r#"printf "{'id': '%s', 'value': 0.0}\n" "$id""#, "strings in single quotes", "json.dumps"),
+        (r#"printf '{\n "id":"%s",\n "value":\n  0.0\n}\n' "$id""#, "answers over several lines", "on one line"),
+        (r#"printf '{"id":"%s","value":0.0}{"id":"x","value":1}\n' "$id""#, "several answers on a line", "line feed"),
+        (r#"printf '>> {"id":"%s","value":0.0}\n' "$id""#, "other text on the line of an answer", "standard error"),
+        (r#"printf '\357\273\277{"id":"%s","value":0.0}\n' "$id""#, "a byte order mark", "without a byte order mark"),
+    ] {
+        let [sh, path] = program(folder.path(), HELLO, answer);
+        let output = ancf(folder.path(), &["conform", "--state", "rest-horizontal", "--", &sh, &path]);
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(output.status.code(), Some(0), "{answer}: {}{text}", String::from_utf8_lossy(&output.stderr));
+        assert!(text.contains(&format!("Form: {what}")) || text.contains(what), "no {what:?} in:\n{text}");
+        assert!(text.contains(advice), "no {advice:?} in:\n{text}");
+    }
+    let [sh, path] = program(folder.path(), HELLO, r#"printf '{"id":"%s","value":0.0}\r\n' "$id""#);
+    let text = ancf(folder.path(), &["conform", "--state", "rest-horizontal", "--", &sh, &path]).stdout;
+    assert!(!String::from_utf8(text).unwrap().contains("Form:"));
+}
+
+/// All output comes when the input ends, as from a pipe that is buffered.
+#[test]
+fn a_program_that_does_not_flush_is_named_as_such() {
+    let folder = tempfile::tempdir().unwrap();
+    for (body, part) in [
+        (r#"held="$held{\"id\":\"$id\",\"value\":0.0}\n""#, "it does not flush its output, or took"),
+        (r#"printf '{"id":"%s","value":0.0}' "$id""#, "its line does not end"),
+    ] {
+        let [sh, path] = program(folder.path(), HELLO, body);
+        let end = fs::read_to_string(&path).unwrap() + "printf \"$held\"\n";
+        fs::write(&path, end).unwrap();
+        let arguments = ["conform", "--state", "rest-horizontal", "--time-limit", "0.3", "--", &sh, &path];
+        let output = ancf(folder.path(), &arguments);
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{text}");
+        assert!(
+            text.contains("no answer until its input was closed") && text.contains(part),
+            "no {part:?} in:\n{text}"
+        );
+    }
+}
+
+#[test]
+fn another_id_is_named_when_time_is_over() {
+    let folder = tempfile::tempdir().unwrap();
+    let [sh, path] = program(folder.path(), HELLO, r#"printf '{"id":"0","value":0.0}\n'"#);
+    let arguments = ["conform", "--state", "rest-horizontal", "--time-limit", "0.3", "--", &sh, &path];
+    let text = String::from_utf8(ancf(folder.path(), &arguments).stdout).unwrap();
+    assert!(text.contains("but one with the id") && text.contains("letter by letter"), "{text}");
+}
+
+#[test]
+fn questions_are_written_and_answers_of_files_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = ancf(folder.path(), &["conform", "--only", "17", "--questions", "questions.jsonl"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let questions = fs::read_to_string(folder.path().join("questions.jsonl")).unwrap();
+    let questions: Vec<Value> = questions.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert!(questions[0]["hello"]["quantities"]["21.K_3"]["from"][0] == "8.epsilon_T", "{}", questions[0]);
+    assert!(questions[1..].iter().any(|question| question["id"] == "17.mu/rest-vertical"));
+    let answer = |question: &Value| {
+        let number = |key: &str| question["state"][key].as_f64().unwrap_or(f64::NAN);
+        let (e, nu) = (number("E"), number("nu"));
+        let value = match question["equation"].as_str().unwrap() {
+            "17.mu" => e / (2.0 * (1.0 + nu)),
+            _ => 2.0 * e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)),
+        };
+        json!({"id": question["id"], "value": value}).to_string() + "\n"
+    };
+    // Without the last question, from behind.
+    let answers: String = questions[1..].iter().rev().map(answer).collect();
+    fs::write(folder.path().join("answers.jsonl"), &answers).unwrap();
+    let output = ancf(folder.path(), &["conform", "--only", "17", "--answers", "answers.jsonl"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains("**First wrong equation: (17), `17.lambda`.**") && text.contains("ratio 2"), "{text}");
+    assert!(text.contains("Conformance of answers.jsonl"), "{text}");
+
+    let right = answers.lines().filter(|line| line.contains("17.mu/r")).map(|line| format!("{line}\n"));
+    fs::write(folder.path().join("part.jsonl"), right.collect::<String>() + "{\"id\":\"18.mu/none\",\"value\":1}\n")
+        .unwrap();
+    let arguments = ["conform", "--only", "17.mu", "--answers", "part.jsonl", "--questions", "open.jsonl"];
+    let output = ancf(folder.path(), &arguments);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(3), "{text}");
+    for part in ["Form: questions without an answer", "Form: answers to questions that are not asked, 1 time(s)"] {
+        assert!(text.contains(part), "no {part:?} in:\n{text}");
+    }
+    let open = fs::read_to_string(folder.path().join("open.jsonl")).unwrap();
+    assert!(open.lines().count() > 1 && !open.contains("17.mu/rest-vertical"), "{open}");
+
+    fs::write(folder.path().join("old.jsonl"), r#"{"hello":{"fixtures":{"equations.json":"0.1"}}}"#).unwrap();
+    for (arguments, part) in [
+        (&["--answers", "old.jsonl"][..], "old.jsonl: the answers are of equations.json 0.1"),
+        (&["--answers", "none.jsonl"], "cannot read none.jsonl"),
+        (&["--answers", "part.jsonl", "--", "true"], "cannot be used with"),
+        (&["--only", "21.K1", "--", "true"], "there is no quantity `21.K1`; nearest: `21.K_1`"),
+        (&["--state", "rest-vertica", "--", "true"], "there is no state `rest-vertica`; nearest: `rest-vertical`"),
+        (&["--format", "yaml", "--", "true"], "possible values: markdown, text, json, junit"),
+    ] {
+        let output = ancf(folder.path(), &[&["conform"], arguments].concat());
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        assert!(message.contains(part), "no {part:?} in: {message}");
+    }
+}
+
+#[test]
+fn formats_and_demands() {
+    let folder = tempfile::tempdir().unwrap();
+    // Right everywhere it is asked, and nothing is refused.
+    let [sh, path] = program(folder.path(), HELLO, r#"printf '{"id":"%s","value":0.0}\n' "$id""#);
+    let states = ["--state", "rest-horizontal", "poisson-half"];
+    let run = |more: &[&str]| {
+        let output = ancf(folder.path(), &[&["conform"], &states[..], more, &["--", &sh, &path]].concat());
+        (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+    };
+    let (code, text, _) = run(&["--format", "text"]);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("Right, asked in part by your choice; should refuse 1 of 26 invalid states."), "{text}");
+    assert!(!text.contains("**") && !text.contains('`'), "{text}");
+    let (_, text, _) = run(&["--format", "json"]);
+    let json: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((&json["verdict"], &json["refusal"]["accepted"]), (&json!("right"), &json!(1)));
+    let (_, text, _) = run(&["--format", "junit"]);
+    assert!(
+        text.starts_with("<?xml") && text.contains("failures=\"0\"") && text.contains("name=\"poisson-half\"><skipped")
+    );
+    let (code, text, message) = run(&["--must-refuse", "--format", "junit"]);
+    assert_eq!(code, Some(1), "{message}");
+    assert!(
+        message.contains("should refuse 1 more invalid state(s)") && text.contains("failures=\"1\""),
+        "{message}{text}"
+    );
+    let out = fs::read_dir(folder.path().join("out")).unwrap().map(|entry| entry.unwrap().file_name());
+    let mut out: Vec<_> = out.map(|name| name.into_string().unwrap()).filter(|name| !name.starts_with('.')).collect();
+    out.sort();
+    assert_eq!(out, ["conformance.json", "conformance.md"]);
+}
+
+/// Whatever ends the command, the answers so far are left, and make a report.
+#[test]
+fn a_run_that_is_killed_leaves_its_answers() {
+    let folder = tempfile::tempdir().unwrap();
+    // It hangs at the fifth question.
+    let answer = format!("n=$((n+1)); if [ $n = 5 ]; then sleep 40; fi; {ANSWER}");
+    let [sh, path] = program(folder.path(), HELLO, &answer);
+    let mut run = Command::new(env!("CARGO_BIN_EXE_ancf"));
+    let run = run.args(["conform", "--time-limit", "50", "--", &sh, &path]).current_dir(folder.path());
+    let mut run = run.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null()).spawn().unwrap();
+    let partial = folder.path().join("out/conformance.partial.jsonl");
+    let started = Instant::now();
+    while fs::read_to_string(&partial).map_or(0, |text| text.lines().count()) < 5 {
+        assert!(started.elapsed() < Duration::from_secs(60), "no answers");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    run.kill().unwrap();
+    run.wait().unwrap();
+    // As if it had been killed within a line.
+    fs::write(&partial, fs::read_to_string(&partial).unwrap() + r#"{"id":"17.lambda/"#).unwrap();
+    assert!(!folder.path().join("out/conformance.json").exists());
+    let output = ancf(folder.path(), &["conform", "--answers", "out/conformance.partial.jsonl"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("## Conformance of own") && text.contains(" / 4 / 36 |"), "{text}");
+    assert!(text.contains("Form: a last line that is cut off"), "{text}");
+    assert!(partial.exists(), "it is the user's until a program is asked again");
 }

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::graph::{GRAPH, Node, find};
+use crate::lost_digits::{LostDigits, Unexplained, WrongInput};
 
 /// Status of a quantity over all its cases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,8 +79,11 @@ pub struct Blame {
     pub silent: Vec<&'static str>,
 }
 
-/// Separates culprits from followers, from the inputs on.
-pub fn blame(statuses: &BTreeMap<&str, Status>) -> Blame {
+/// Inputs that a program does not read from `given`, by quantity.
+pub type Unread = BTreeMap<&'static str, Vec<&'static str>>;
+
+/// Separates culprits from followers, from the inputs on. A quantity that lost many more digits than its wrong inputs is a culprit.
+pub fn blame(statuses: &BTreeMap<&str, Status>, unread: &Unread, lost: &LostDigits) -> Blame {
     let mut blame = Blame::default();
     for node in GRAPH {
         let (numbers, with_given) = match statuses.get(node.quantity) {
@@ -95,16 +99,25 @@ pub fn blame(statuses: &BTreeMap<&str, Status>) -> Blame {
         let wrong_inner = node.inner.iter().find_map(|input| wrong_at_or_before(input, statuses, faults_count));
         let wrong_given = node.given.iter().find_map(|input| wrong_at_or_before(input, statuses, faults_count));
         let used = matches!(with_given, WithGiven::Right | WithGiven::Wrong);
-        // Reference inputs that were used are no excuse.
+        let wrong_unread = (unread.get(node.quantity).into_iter().flatten())
+            .find_map(|input| wrong_at_or_before(input, statuses, faults_count));
+        // Reference inputs that were used are no excuse; inputs that the program computes itself are.
         let excuse = match (wrong_inner, wrong_given, with_given) {
             (Some(input), _, _) => Some(input),
-            (None, Some(_), WithGiven::Wrong) => None,
+            (None, Some(_), WithGiven::Wrong) => wrong_unread,
             (None, input, _) => input,
         };
-        match excuse {
-            Some(from) => blame.follow.push(Follower { quantity: node.quantity, from }),
-            None => {
-                let because = reason(node, used, with_given, statuses);
+        let unexplained = excuse.filter(|_| numbers && with_given != WithGiven::Right).and_then(|_| {
+            let without_given = with_given == WithGiven::Wrong;
+            lost.unexplained(node.quantity, &wrong_inputs(node, without_given, statuses))
+        });
+        match (excuse, unexplained) {
+            (Some(from), None) => blame.follow.push(Follower { quantity: node.quantity, from }),
+            (_, unexplained) => {
+                let because = match unexplained {
+                    Some(case) => lost_reason(&case),
+                    None => reason(node, used, with_given, statuses),
+                };
                 blame.culprits.push(Culprit { quantity: node.quantity, numbers, because });
             }
         }
@@ -122,6 +135,30 @@ fn wrong_at_or_before(quantity: &str, statuses: &BTreeMap<&str, Status>, faults_
         Some(Status::Right) => None,
         _ => node.inputs().find_map(|input| wrong_at_or_before(input, statuses, faults_count)),
     }
+}
+
+/// Wrong inputs of a node, and those of inputs with unknown status. With `without_given` its inputs were replaced by the reference's.
+fn wrong_inputs(node: &Node, without_given: bool, statuses: &BTreeMap<&str, Status>) -> Vec<WrongInput> {
+    let of = |inputs: &[&'static str], inner: bool| -> Vec<WrongInput> {
+        let wrong = |input: &&'static str| match statuses.get(input) {
+            Some(Status::Right) => Vec::new(),
+            Some(Status::Wrong { .. } | Status::Silent) => vec![WrongInput { quantity: input, inner }],
+            Some(Status::Unknown) | None => find(input).map_or_else(Vec::new, |input| {
+                let before = wrong_inputs(input, false, statuses).into_iter();
+                before.map(|before| WrongInput { inner: before.inner || inner, ..before }).collect()
+            }),
+        };
+        inputs.iter().flat_map(wrong).collect()
+    };
+    let given = if without_given { Vec::new() } else { of(node.given, false) };
+    [given, of(node.inner, true)].concat()
+}
+
+/// Evidence that a node lost more digits than its inputs explain.
+fn lost_reason(Unexplained { case, input, input_lost, lost }: &Unexplained) -> String {
+    format!(
+        "its inputs' errors do not explain its own: in `{case}` {input} lost {input_lost:.1} digits, it lost {lost:.1}"
+    )
 }
 
 /// Evidence that the node itself is wrong.
@@ -172,6 +209,10 @@ mod tests {
         right.chain(wrong.iter().copied()).collect()
     }
 
+    fn blame_of(statuses: &BTreeMap<&str, Status>) -> Blame {
+        blame(statuses, &Unread::new(), &LostDigits::default())
+    }
+
     fn follow(blame: &Blame) -> Vec<(&str, &str)> {
         blame.follow.iter().map(|follower| (follower.quantity, follower.from)).collect()
     }
@@ -182,12 +223,13 @@ mod tests {
 
     #[test]
     fn a_program_without_mistakes_has_nothing_to_blame() {
-        assert_eq!(blame(&statuses(&[])), Blame::default());
+        assert_eq!(blame_of(&statuses(&[])), Blame::default());
     }
 
     #[test]
     fn the_first_wrong_quantity_is_the_culprit_and_the_others_follow() {
-        let blame = blame(&statuses(&[("11.S_a", WRONG), ("13.epsilon_1", WRONG), ("21.K_1", WRONG), ("20.K", WRONG)]));
+        let blame =
+            blame_of(&statuses(&[("11.S_a", WRONG), ("13.epsilon_1", WRONG), ("21.K_1", WRONG), ("20.K", WRONG)]));
         assert_eq!(culprits(&blame), ["11.S_a"]);
         assert_eq!(follow(&blame), [("13.epsilon_1", "11.S_a"), ("21.K_1", "11.S_a"), ("20.K", "21.K_1")]);
         assert!(blame.culprits[0].because.contains("3.S_x"), "{blame:?}");
@@ -197,7 +239,7 @@ mod tests {
     fn given_values_reveal_a_second_mistake() {
         let still = wrong(WithGiven::Wrong);
         let cured = wrong(WithGiven::Right);
-        let blame = blame(&statuses(&[("9.J", WRONG), ("10.epsilon_m", still), ("17.mu", WRONG), ("16.D", cured)]));
+        let blame = blame_of(&statuses(&[("9.J", WRONG), ("10.epsilon_m", still), ("17.mu", WRONG), ("16.D", cured)]));
         assert_eq!(culprits(&blame), ["9.J", "10.epsilon_m", "17.mu"]);
         assert_eq!(follow(&blame), [("16.D", "17.mu")]);
     }
@@ -205,14 +247,14 @@ mod tests {
     #[test]
     fn given_values_that_are_not_used_remain_an_excuse() {
         let same = wrong(WithGiven::Same);
-        let blame = blame(&statuses(&[("7.M", WRONG), ("6.T", same)]));
+        let blame = blame_of(&statuses(&[("7.M", WRONG), ("6.T", same)]));
         assert_eq!(culprits(&blame), ["7.M"]);
     }
 
     #[test]
     fn a_quadrature_is_not_blamed_for_what_it_integrates() {
         let still = wrong(WithGiven::Wrong);
-        let blame = blame(&statuses(&[("11.S_c", WRONG), ("21.K_3", still)]));
+        let blame = blame_of(&statuses(&[("11.S_c", WRONG), ("21.K_3", still)]));
         assert_eq!(culprits(&blame), ["11.S_c"]);
     }
 
@@ -220,7 +262,7 @@ mod tests {
     fn inputs_that_are_not_implemented_are_looked_through() {
         let unknown =
             ["20.K", "21.K_1", "21.K_2", "21.K_3", "21.S_c1", "21.S_a1", "21.S_b1"].map(|q| (q, Status::Unknown));
-        let with = |wrong: &[(&'static str, Status)]| blame(&statuses(&[&unknown[..], wrong].concat()));
+        let with = |wrong: &[(&'static str, Status)]| blame_of(&statuses(&[&unknown[..], wrong].concat()));
         assert_eq!(culprits(&with(&[("11.S_c", WRONG), ("19.Q_e", WRONG)])), ["11.S_c"]);
         let alone = with(&[("19.Q_e", WRONG)]);
         assert_eq!(culprits(&alone), ["19.Q_e"]);
@@ -230,24 +272,24 @@ mod tests {
     #[test]
     fn a_quantity_that_is_right_only_with_given_values_is_a_culprit() {
         let cured = wrong(WithGiven::Right);
-        let blame = blame(&statuses(&[("19.Q_e", cured)]));
+        let blame = blame_of(&statuses(&[("19.Q_e", cured)]));
         assert_eq!(culprits(&blame), ["19.Q_e"]);
         assert!(blame.culprits[0].because.contains("it uses other values internally"), "{blame:?}");
     }
 
     #[test]
     fn a_quantity_without_numbers_is_no_culprit_and_no_excuse() {
-        let silent = blame(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", WRONG)]));
+        let silent = blame_of(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", WRONG)]));
         assert_eq!((silent.silent.as_slice(), culprits(&silent)), (&["11.S_a"][..], vec!["13.epsilon_1"]));
         assert!(silent.culprits[0].because.ends_with("may be there: 11.S_a"), "{silent:?}");
         let faulty = Status::Wrong { numbers: false, with_given: WithGiven::NotTried };
         assert_eq!(
-            culprits(&blame(&statuses(&[("11.S_a", faulty), ("13.epsilon_1", WRONG)]))),
+            culprits(&blame_of(&statuses(&[("11.S_a", faulty), ("13.epsilon_1", WRONG)]))),
             ["11.S_a", "13.epsilon_1"]
         );
         // Faults explain faults, and quantities that are right with given values.
         for follower in [faulty, wrong(WithGiven::Right)] {
-            let found = blame(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", follower)]));
+            let found = blame_of(&statuses(&[("11.S_a", Status::Silent), ("13.epsilon_1", follower)]));
             assert_eq!((culprits(&found), follow(&found)), (vec![], vec![("13.epsilon_1", "11.S_a")]));
         }
     }
@@ -255,7 +297,7 @@ mod tests {
     #[test]
     fn cases_that_could_not_be_asked_again_are_counted() {
         let because = |cured| {
-            let found = blame(&statuses(&[("19.Q_e", wrong(WithGiven::Partly { cured, unasked: 3 }))]));
+            let found = blame_of(&statuses(&[("19.Q_e", wrong(WithGiven::Partly { cured, unasked: 3 }))]));
             found.culprits[0].because.clone()
         };
         assert_eq!(

@@ -4,11 +4,14 @@
 //! right cases. Wrong factors and signs are computed from the answers by `factors`.
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// diagnose, factors, power;
-// errata, heat, law, integral, gradient, inertia, reading, angle, layout, copied;
-// terms, quadrature, candidate, entries, observation, mistake.
+// invisible, ancestors, diagnose, factors, power;
+// errata, heat, law, integral, gradient, inertia, reading, angle, copied;
+// terms, cable, chain, layout, quadrature, jet, candidate, entries, observation, mistake.
+mod ancestors;
 mod angle;
+mod cable;
 mod candidate;
+mod chain;
 mod copied;
 mod diagnose;
 mod entries;
@@ -18,6 +21,8 @@ mod gradient;
 mod heat;
 mod inertia;
 mod integral;
+mod invisible;
+mod jet;
 mod law;
 mod layout;
 mod mistake;
@@ -29,6 +34,8 @@ mod terms;
 #[cfg(test)]
 mod tests;
 
+pub use ancestors::{Ancestor, Seen, ancestors};
 pub use diagnose::{Diagnosis, diagnose};
+pub use invisible::{Invisible, invisible};
 pub use mistake::{Mistake, MistakeKind};
 pub use observation::{Observation, Outcome};

@@ -78,4 +78,42 @@ pub enum Error {
         /// Names of all stored states.
         known: String,
     },
+    /// No quantity has this name.
+    #[error("there is no quantity `{name}`{nearest}; allowed: a name such as 21.K_1, or its first part: {known}")]
+    NoQuantity {
+        /// Name that was given.
+        name: String,
+        /// Nearest name as a phrase; empty if none is near.
+        nearest: String,
+        /// First parts of all names.
+        known: String,
+    },
+    /// No state has this name.
+    #[error("there is no state `{name}`{nearest}; allowed: {known}")]
+    NoSuchState {
+        /// Name that was given.
+        name: String,
+        /// Nearest name as a phrase; empty if none is near.
+        nearest: String,
+        /// Names of all states.
+        known: String,
+    },
+    /// The selected states have none of the selected quantities.
+    #[error(
+        "nothing is asked: none of the states {states} has a value of {quantities}; allowed: states of the same element"
+    )]
+    NothingAsked {
+        /// Selected quantities.
+        quantities: String,
+        /// Selected states.
+        states: String,
+    },
+    /// Answers of a file cannot be judged.
+    #[error("{file}: {reason}")]
+    Answers {
+        /// Path of the file.
+        file: String,
+        /// What is wrong, what is allowed, and what to do.
+        reason: String,
+    },
 }

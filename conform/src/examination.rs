@@ -6,23 +6,38 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::blame::Blame;
-use crate::diagnosis::Diagnosis;
+use crate::convention::Convention;
+use crate::diagnosis::{Ancestor, Diagnosis, Invisible};
+use crate::memory::Memory;
+use crate::precision::Precision;
 use crate::protocol::Hello;
 use crate::subject::Chatter;
+use crate::trouble::Remark;
 use crate::verdict::{Fault, Verdict};
 
-/// Index of a case in [`Suite::cases`](crate::Suite::cases), and the verdict on the answer in it.
-pub type CaseVerdict = (usize, Verdict);
+pub use crate::verdict::CaseVerdict;
 
 /// All results of an examination.
 #[derive(Debug)]
 pub struct Examination {
-    /// Command that started the program.
-    pub command: String,
+    /// What the program is called if its hello has no name: the command that started it.
+    pub description: String,
     /// The program's answer to `hello`, or the fault that came in its place. After a fault nothing was asked.
     pub hello: Result<Hello, Fault>,
+    /// Conventions of the program that differ from the fixtures. Its answers were translated before they were judged.
+    pub conventions: Vec<Convention>,
+    /// What the conventions in its hello should have been, in words.
+    pub convention_errors: Vec<String>,
     /// Lines on the program's standard output that are not JSON objects.
     pub chatter: Chatter,
+    /// Precision of the answers, at which they are judged.
+    pub precision: Precision,
+    /// Mistakes that this precision hides, in the quantities that the program answers.
+    pub invisible: Vec<Invisible>,
+    /// What was wrong with the form of its answers.
+    pub remarks: Vec<Remark>,
+    /// Whether a part was asked, as the user chose.
+    pub in_part: bool,
     /// Verdicts by quantity and case, in the order of the questions.
     pub verdicts: Vec<(&'static str, Vec<CaseVerdict>)>,
     /// Verdicts on the states that must be refused, in the order of [`Suite::invalid`](crate::Suite::invalid).
@@ -31,6 +46,12 @@ pub struct Examination {
     pub blame: Blame,
     /// Diagnosis of each culprit.
     pub diagnoses: BTreeMap<&'static str, Diagnosis>,
+    /// Earlier quantities that each culprit's mistake may be in, although they are not answered, likeliest first.
+    pub ancestors: BTreeMap<&'static str, Vec<Ancestor>>,
+    /// Evidence that answers depend on what was asked before; `None` if none was found.
+    pub memory: Option<Memory>,
+    /// Quantities for which the program does not read any value that it is given, although it says that it does.
+    pub given_ignored: Vec<&'static str>,
     /// Number of times that the program was started.
     pub starts: usize,
     /// Number of questions.
@@ -58,29 +79,24 @@ pub enum InvalidOutcome {
     Accepted,
     /// It does not implement the quantity.
     NotImplemented,
-    /// It gave no answer.
+    /// It hung, crashed or wrote something else in place of an answer.
     Fault,
 }
 
-impl InvalidOutcome {
-    /// Whether the program accepted the state or gave no answer.
-    pub fn fails(self) -> bool {
-        matches!(self, InvalidOutcome::Accepted | InvalidOutcome::Fault)
-    }
-}
-
 impl Examination {
-    /// Whether nothing failed and something is implemented.
+    /// Whether no answer failed or changed when it was asked for again, and something is implemented. Whether invalid states are refused
+    /// is another question.
     pub fn passes(&self) -> bool {
         let failing = self.verdicts.iter().flat_map(|(_, cases)| cases).any(|(_, verdict)| verdict.fails());
-        !failing && !self.invalid.iter().any(|verdict| verdict.outcome.fails()) && self.implemented() > 0
+        let asked = |verdict: &InvalidVerdict| verdict.outcome != InvalidOutcome::NotImplemented;
+        !failing && self.memory.is_none() && (self.implemented() > 0 || self.invalid.iter().any(asked))
     }
 
-    /// Name of the program; its command if it did not answer `hello`.
+    /// Name of the program; what it is called otherwise if it did not answer `hello`.
     pub fn name(&self) -> &str {
         match &self.hello {
             Ok(hello) => hello.name.as_deref().unwrap_or("a program without a name"),
-            Err(_) => &self.command,
+            Err(_) => &self.description,
         }
     }
 

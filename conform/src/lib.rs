@@ -1,10 +1,11 @@
 //! Conformance kit: finds the wrong equation of another implementation of the planar thermo-elastic ANCF beam.
 //!
-//! `ancf conform -- COMMAND…` does this for a program in any language: [`examine`] starts it and asks for every quantity in every state
-//! of the fixtures, one line of JSON at a time. It compares the answers entry by entry, follows wrong ones along the dependencies of
-//! the paper's quantities to the first wrong equation, and names the mistakes that explain it. [`Report`] holds the results.
+//! `ancf conform -- COMMAND…` does this for a program in any language: [`examine`] asks for every quantity in every state of the
+//! fixtures, one line of JSON at a time. It compares the answers entry by entry, follows wrong ones along the dependencies of the
+//! paper's quantities to the first wrong equation, and names the mistakes that explain it. [`Report`] holds the results.
 //!
-//! A Rust implementation can be checked directly against the reference values of a [`Suite`]:
+//! A [`Subject`] is what is asked: a [`Program`] in a process of its own, or [`Code`] of this process, for a unit test in Rust. Values
+//! can also be compared one at a time with the reference values of a [`Suite`]:
 //!
 //! ```
 //! use ancf_conform::{State, Suite, Verdict};
@@ -24,37 +25,58 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, examination, diagnosis, blame, subject, process, protocol; equations_text, state_file;
-// verdict, suite, numbers, graph, error. `trajectory` stands beside them: of this crate it imports error alone.
+// schema, report, examiner, given, examination, diagnosis, blame, memory, convention, lost_digits, precision, answers, formula;
+// recorded, program, subject, process, lines; protocol, spelling, trouble; selection, equations_text, state_file; verdict, suite,
+// numbers, graph, error. `trajectory` stands beside them: of this crate it imports error alone.
+mod answers;
 mod blame;
+mod convention;
 mod diagnosis;
 mod equations_text;
 mod error;
 mod examination;
 mod examiner;
+mod formula;
+mod given;
 mod graph;
+mod lines;
+mod lost_digits;
+mod memory;
 mod numbers;
+mod precision;
 mod process;
+mod program;
 mod protocol;
+mod recorded;
 pub mod report;
 mod schema;
+mod selection;
+mod spelling;
 mod state_file;
 mod subject;
 mod suite;
 pub mod trajectory;
+mod trouble;
 mod verdict;
 
 pub use blame::{Blame, Culprit, Follower};
-pub use diagnosis::{Diagnosis, Mistake, MistakeKind};
+pub use convention::{Convention, How};
+pub use diagnosis::{Ancestor, Diagnosis, Invisible, Mistake, MistakeKind};
 pub use equations_text::equations_text;
 pub use error::{Error, Result};
 pub use examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 pub use examiner::{Options, examine};
 pub use graph::{GRAPH, Node};
-pub use protocol::{Answer, AnswerLine, Hello, numbers as read_numbers, read as read_answer};
+pub use memory::{ChangedAnswer, EarlierQuestion, Memory, When};
+pub use precision::{Form, Least, Precision, Printing};
+pub use program::{MOST_STARTS, Program};
+pub use protocol::{Answer, AnswerLine, Asked, Hello, Question, numbers as read_numbers, read as read_answer};
+pub use recorded::{Recorded, Recorder};
 pub use report::Report;
 pub use schema::schemas;
+pub use selection::Selection;
 pub use state_file::load as load_state;
-pub use subject::{Chatter, MOST_STARTS};
-pub use suite::{Case, InvalidCase, Length, Per, Quantity, Reference, State, Suite};
+pub use subject::{Chatter, Code, Subject};
+pub use suite::{Case, InvalidCase, Length, Per, Quantity, Reference, State, Suite, Tolerance};
+pub use trouble::{Remark, Trouble};
 pub use verdict::{Fault, Verdict, Wrong};

@@ -31,7 +31,8 @@ const EXIT_TIME: Duration = Duration::from_millis(300);
 pub struct Process {
     child: Child,
     ended: bool,
-    questions: Sender<String>,
+    /// None: its standard input is closed.
+    questions: Option<Sender<String>>,
     writer: JoinHandle<()>,
     error_reader: JoinHandle<()>,
     lines: Receiver<Result<String, Fault>>,
@@ -64,9 +65,15 @@ impl Process {
             Ok((writer, thread::Builder::new().spawn(move || keep_last_lines(stderr, &kept))?))
         };
         match threads() {
-            Ok((writer, error_reader)) => {
-                Ok(Process { child, ended: false, questions, writer, error_reader, lines, last_errors })
-            }
+            Ok((writer, error_reader)) => Ok(Process {
+                child,
+                ended: false,
+                questions: Some(questions),
+                writer,
+                error_reader,
+                lines,
+                last_errors,
+            }),
             Err(error) => {
                 end(&mut child);
                 Err(io::Error::new(error.kind(), format!("no thread for its pipes: {error}")))
@@ -79,7 +86,14 @@ impl Process {
     /// # Errors
     /// [`Fault::Crash`] if the program no longer reads.
     pub fn send(&self, line: String) -> Result<(), Fault> {
-        self.questions.send(line).map_err(|_| not_reading())
+        self.questions.as_ref().and_then(|questions| questions.send(line).ok()).ok_or_else(not_reading)
+    }
+
+    /// Closes the program's standard input, and returns its next line; `None` if there is none within the time. A program that does not
+    /// flush its output writes it when its input ends.
+    pub fn last_words(&mut self, limit: Duration) -> Option<String> {
+        self.questions = None;
+        self.lines.recv_timeout(limit).ok()?.ok()
     }
 
     /// Returns the next line of the program; `None` if there is none within the time.

@@ -2,7 +2,7 @@
 //!
 //! | line to the program | its answer |
 //! |---|---|
-//! | `{"hello": {"protocol", "quantities"}}` | `{"hello": {"name", "given"?, "quantities"?}}` |
+//! | `{"hello": {"protocol", "fixtures", "quantities"}}` | `{"hello": {"name", "given"?, "quantities"?, "conventions"?, "fixtures"?}}` |
 //! | `{"id", "equation", "state", "given"?}` | `{"id", "value"}` \| `{"id", "not_implemented": true}` \| `{"id", "error"}` |
 //!
 //! `equation` is the name of a quantity, such as `21.K_1`. A program that accepts intermediate values says so with `"given": true`. A
@@ -17,9 +17,11 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::graph::{GRAPH, find};
+use crate::convention::DeclaredConventions;
+use crate::graph::{GRAPH, Node, TERMS_OF_23, equation, find};
 use crate::numbers::{Numbers, flatten};
-use crate::suite::{Quantity, Suite};
+use crate::spelling;
+use crate::suite::{Length, Per, Quantity, Suite};
 use crate::verdict::Fault;
 
 /// Name and version of the protocol.
@@ -39,22 +41,27 @@ pub enum Question<'a> {
         hello: Announcement<'a>,
     },
     /// A question.
-    Quantity {
-        /// Name of the quantity that is asked for, such as 21.K_1.
-        equation: &'a str,
-        /// Reference values of other quantities, by name, each in its SI unit. For (23) those of 23.m, 23.Q_e, 23.f and 23.Phi_q, but
-        /// where one of these or 23.Phi is asked for. Otherwise the inputs of a quantity that failed before, if the program accepts them.
-        #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-        #[schemars(with = "BTreeMap<String, Numbers>")]
-        given: BTreeMap<&'a str, &'a Value>,
-        /// Name of the question; the answer repeats it.
-        #[schemars(length(min = 1))]
-        id: &'a str,
-        /// State in SI units: of an element as in equations.json or cable.json, for (23) that of a case in structure.json, with its
-        /// `scene` and `rows` where it has them. It may be one of invalid.json.
-        #[schemars(with = "Map<String, Value>")]
-        state: &'a Value,
-    },
+    Quantity(Asked<'a>),
+}
+
+/// A question: a quantity in a state.
+#[derive(Serialize, JsonSchema)]
+pub struct Asked<'a> {
+    /// Name of the quantity that is asked for, such as 21.K_1.
+    pub equation: &'a str,
+    /// Reference values of other quantities, by name, each in its SI unit. For (23) those of 23.m, 23.Q_e, 23.f and 23.Phi_q, but where
+    /// one of these or 23.Phi is asked for. Otherwise the inputs of a quantity that failed before, if the program accepts them.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[schemars(with = "BTreeMap<String, Numbers>")]
+    pub given: BTreeMap<&'a str, &'a Value>,
+    /// Name of the question; the answer repeats it letter by letter. It is that of the quantity and of the state, such as
+    /// 21.K_1/rest-vertical, and more behind them where the same is asked again.
+    #[schemars(length(min = 1))]
+    pub id: &'a str,
+    /// State in SI units: of an element as in equations.json or cable.json, for (23) that of a case in structure.json, with its `scene`
+    /// and `rows` where it has them. It may be one of invalid.json.
+    #[schemars(with = "Map<String, Value>")]
+    pub state: &'a Value,
 }
 
 /// What the program will be asked.
@@ -64,8 +71,27 @@ pub struct Announcement<'a> {
     /// Name and version of the protocol.
     #[schemars(extend("const" = PROTOCOL))]
     protocol: &'static str,
+    /// Version of each fixture file, by name.
+    fixtures: &'a BTreeMap<String, String>,
     /// Every quantity that can be asked for, by name.
-    quantities: BTreeMap<&'a str, &'a Quantity>,
+    quantities: BTreeMap<&'a str, Announced<'a>>,
+}
+
+/// A quantity that can be asked for.
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Announced<'a> {
+    /// Names of the quantities whose values may come as `given` with a question for this one. Empty: none ever do.
+    from: Vec<&'static str>,
+    /// Whether there is a value for each point of the state, or one for the element; null for (23).
+    per: Option<Per>,
+    /// Lengths of the nested lists of one value, outer first; empty for a number. For (23), n is the number of coordinates and c that of
+    /// constraints.
+    shape: &'a [Length],
+    /// SI unit; where positions and slopes are mixed, the unit of positions, then that of slopes.
+    unit: &'a str,
+    /// Meaning in words.
+    what: &'a str,
 }
 
 /// A line from the program: its answer to the first line or to a question.
@@ -102,6 +128,11 @@ pub struct Hello {
     pub given: bool,
     /// Names of the quantities that the program implements; all if absent or null.
     pub quantities: Option<Vec<String>>,
+    /// Conventions in which the program differs from the fixtures. Those that are absent are read off its answers.
+    #[schemars(with = "Option<DeclaredConventions>")]
+    pub conventions: Map<String, Value>,
+    /// Versions of the fixtures, repeated from the first question. Needed by nobody but a program that is asked through files.
+    pub fixtures: Option<BTreeMap<String, String>>,
 }
 
 /// Answer to a question.
@@ -117,6 +148,16 @@ pub enum Answer {
     NotImplemented,
     /// Why there is no value: the right answer for a state that must be refused, wrong for any other.
     Error(String),
+}
+
+impl Answer {
+    /// Answer with a number or nested lists of numbers: arrays, slices or vectors of `f64`, rows first.
+    pub fn value(value: impl Serialize) -> Answer {
+        match serde_json::to_value(value) {
+            Ok(value) => Answer::Value(value),
+            Err(error) => Answer::Error(format!("the value cannot be written as JSON: {error}")),
+        }
+    }
 }
 
 /// Schema of the value `true`.
@@ -145,37 +186,67 @@ impl Hello {
             name: part(hello, "name", "a string")?,
             given: part(hello, "given", "true or false")?.unwrap_or_default(),
             quantities: part(hello, "quantities", "a list of names, such as [\"1.r\", \"7.M\"]")?,
+            conventions: part(hello, "conventions", "an object, such as {\"matrices\": \"columns\"}")?
+                .unwrap_or_default(),
+            fixtures: part(hello, "fixtures", "the versions of the first question, such as {\"cable.json\": \"1.2\"}")?,
         })
     }
 }
 
-/// Returns the first line to a program.
-pub fn hello_line(suite: &Suite) -> String {
-    let described = |id: &'static str| Some((id, suite.quantities.get(id)?));
-    let quantities = GRAPH.iter().filter_map(|node| described(node.quantity)).collect();
-    Question::Hello { hello: Announcement { protocol: PROTOCOL, quantities } }.line()
+/// Returns the first question: the announcement of every quantity.
+pub fn announcement(suite: &Suite) -> Question<'_> {
+    let announced = |node: &Node| {
+        let Quantity { per, shape, unit, what } = suite.quantities.get(node.quantity)?;
+        let terms = if equation(node.quantity) == "23" { TERMS_OF_23 } else { &[] };
+        let from = terms.iter().chain(node.given).copied().collect();
+        Some((node.quantity, Announced { from, per: *per, shape, unit, what }))
+    };
+    let quantities = GRAPH.iter().filter_map(announced).collect();
+    Question::Hello { hello: Announcement { protocol: PROTOCOL, fixtures: &suite.versions, quantities } }
 }
 
 impl Question<'_> {
     /// The question as a line of JSON.
     pub fn line(&self) -> String {
-        // Maps with text keys can always be written.
-        serde_json::to_string(self).unwrap_or_default()
+        line(self)
     }
 }
 
-/// Reads a line of the program.
+impl Asked<'_> {
+    /// The question as a line of JSON.
+    pub fn line(&self) -> String {
+        line(self)
+    }
+}
+
+fn line(question: &impl Serialize) -> String {
+    // Maps with text keys can always be written.
+    serde_json::to_string(question).unwrap_or_default()
+}
+
+/// Reads a line of the program: one hello or answer. [`Lines`](crate::lines::Lines) reads what takes several lines.
 ///
 /// # Errors
 /// [`Fault::Garbage`] for a JSON object that is neither `hello` nor an answer, with the reason.
 pub fn read(line: &str) -> Result<AnswerLine, Fault> {
-    // Some programs write a byte order mark first.
-    let line = line.trim_start_matches('\u{feff}');
-    let garbage = |why: &str| Fault::Garbage(format!("{}{why}", quoted(line)));
-    let table = match serde_json::from_str::<Value>(line).or_else(|_| serde_json::from_str(&without_nan(line))) {
-        Ok(Value::Object(table)) => table,
-        _ => return Ok(AnswerLine::Chatter(quoted(line))),
-    };
+    match spelling::objects(line) {
+        Some((tables, _)) if tables.len() == 1 => {
+            tables.first().map_or_else(|| chatter(line), |table| answer(table, line))
+        }
+        _ => chatter(line),
+    }
+}
+
+fn chatter(line: &str) -> Result<AnswerLine, Fault> {
+    Ok(AnswerLine::Chatter(quoted(line.trim_start_matches('\u{feff}'))))
+}
+
+/// Reads the object of a line.
+///
+/// # Errors
+/// [`Fault::Garbage`] if it is neither `hello` nor an answer, with the reason.
+pub fn answer(table: &Map<String, Value>, line: &str) -> Result<AnswerLine, Fault> {
+    let garbage = |why: &str| Fault::Garbage(format!("{}{why}", quoted(line.trim_start_matches('\u{feff}'))));
     if let Some(hello) = table.get("hello") {
         return Hello::read(hello).map(|hello| AnswerLine::Hello { hello }).map_err(|why| garbage(&format!(": {why}")));
     }
@@ -207,16 +278,18 @@ pub fn numbers(value: &Value, shape: &[usize]) -> Result<Vec<f64>, Fault> {
         count => return Err(Fault::NotFinite(format!("{count} of its entries"))),
     }
     let mut numbers = Vec::new();
-    let expected = shape_text(shape);
     match flatten(value, &mut numbers) {
-        None => Err(Fault::Shape(format!("not nested lists of numbers; expected {expected}"))),
-        Some(found) if found != shape => {
-            let turned: Vec<usize> = shape.iter().rev().copied().collect();
-            let hint = if found == turned { ", rows and columns exchanged" } else { "" };
-            Err(Fault::Shape(format!("{}{hint}; expected {expected}", shape_text(&found))))
-        }
+        None => Err(Fault::Shape(format!("not nested lists of numbers; expected {}", shape_text(shape)))),
+        Some(found) if found != shape => Err(other_shape(&found, shape)),
         Some(_) => Ok(numbers),
     }
+}
+
+/// Fault of an answer with another shape than expected.
+fn other_shape(found: &[usize], expected: &[usize]) -> Fault {
+    let turned: Vec<usize> = expected.iter().rev().copied().collect();
+    let hint = if found == turned { ", rows and columns exchanged" } else { "" };
+    Fault::Shape(format!("{}{hint}; expected {}", shape_text(found), shape_text(expected)))
 }
 
 /// Counts the null entries of nested lists.
@@ -244,40 +317,6 @@ pub fn quoted(line: &str) -> String {
     }
 }
 
-/// Replaces NaN, Infinity and numbers beyond the range of f64 by null. JSON has none of these, but programs write them, in all spellings.
-fn without_nan(line: &str) -> String {
-    let mut out = String::with_capacity(line.len());
-    let mut rest = line.chars().peekable();
-    let (mut in_string, mut before) = (false, ' ');
-    while let Some(c) = rest.next() {
-        if in_string {
-            in_string = c != '"';
-            out.push(c);
-            if c == '\\' {
-                out.extend(rest.next());
-            }
-        } else if c.is_ascii_digit() || c.is_ascii_alphabetic() && !before.is_ascii_digit() && before != '.' {
-            let in_number = |c: &char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '+' | '-');
-            let in_word: fn(&char) -> bool = if c.is_ascii_digit() { in_number } else { char::is_ascii_alphabetic };
-            let mut word = String::from(c);
-            while let Some(next) = rest.next_if(in_word) {
-                word.push(next);
-            }
-            // "nan", "inf" and "infinity" in any case are numbers to Rust as well.
-            if word.parse().is_ok_and(|number: f64| !number.is_finite()) {
-                word = "null".into();
-                out.truncate(out.trim_end_matches(['-', '+']).len());
-            }
-            out.push_str(&word);
-        } else {
-            in_string = c == '"';
-            out.push(c);
-        }
-        before = c;
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use serde_json::json;
@@ -294,7 +333,8 @@ mod tests {
         assert_eq!(of(r#"{"id":"7","value":[1.5]}"#), line("7", Answer::Value(json!([1.5]))));
         assert_eq!(of(r#"{"id":"7","not_implemented":true}"#), line("7", Answer::NotImplemented));
         assert_eq!(of(r#"{"id":"7","error":"h is 0"}"#), line("7", Answer::Error("h is 0".into())));
-        let hello = Hello { name: Some("mine".into()), given: true, quantities: Some(vec!["1.r".into()]) };
+        let quantities = Some(vec!["1.r".into()]);
+        let hello = Hello { name: Some("mine".into()), given: true, quantities, ..Hello::default() };
         assert_eq!(of(r#"{"hello":{"name":"mine","given":true,"quantities":["1.r"]}}"#), AnswerLine::Hello { hello });
     }
 
@@ -303,7 +343,7 @@ mod tests {
         for line in ["{}", r#"{"id":7,"value":1}"#, r#"{"id":"7"}"#] {
             assert!(matches!(read(line), Err(Fault::Garbage(_))), "{line}");
         }
-        for line in ["", "ready", "[1]", r#"{"id":"7","value":"#, "{'id': '7', 'value': 1}"] {
+        for line in ["", "ready", "[1]", r#"{"id":"7","value":"#, "{id: 7, value: 1}"] {
             assert_eq!(read(line), Ok(AnswerLine::Chatter(line.into())));
         }
         let long = "x".repeat(1000);

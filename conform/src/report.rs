@@ -1,9 +1,16 @@
-//! The report of an examination: `conformance.json`, and Markdown to read and to paste.
+//! The report of an examination: `conformance.json`; Markdown and text to read; JUnit XML for servers of CI.
 
+// markdown and text import screen, findings and marks, and these record.
+mod findings;
+mod junit;
 mod markdown;
+mod marks;
 mod record;
+mod screen;
+mod text;
 
+pub use junit::junit;
 pub use record::{
-    CaseFault, Counts, CulpritResult, FailingCase, Failure, InvalidResult, PartlyChecked, Program, QuantityResult,
-    Report,
+    CaseFault, Conclusion, Counts, CulpritResult, FailingCase, Failure, FewerDigits, InvalidResult, LeastAttainable,
+    OtherPrecision, PartlyChecked, PrecisionResult, Program, QuantityResult, Refusal, RefusalVerdict, Report,
 };

@@ -1,37 +1,55 @@
-//! The program under test: starts it, asks it, and restarts it after it hung or crashed.
-
-use std::time::{Duration, Instant};
+//! What is examined: a program in a process of its own, or code of this one.
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::error::{Error, Result};
-use crate::process::Process;
-use crate::protocol::{self, Answer, AnswerLine, Hello};
+use crate::protocol::{Answer, Asked, Hello, Question};
+use crate::trouble::Remark;
 use crate::verdict::Fault;
 
-/// Time limit for the answer to `hello`, unless that of an answer is longer.
-const START_LIMIT: Duration = Duration::from_secs(30);
-/// Largest number of times that a program is started.
-pub const MOST_STARTS: usize = 25;
-/// Largest number of lines other than JSON before an answer.
-const MOST_CHATTER: usize = 100;
-/// Time limit for an answer after such a line, once the program has printed one in place of an answer.
-const SHORT_LIMIT: Duration = Duration::from_millis(10);
+/// What is examined. [`Program`](crate::Program) asks a process, [`Code`] a closure.
+pub trait Subject {
+    /// Introduces itself. `announcement` is [`Question::Hello`].
+    ///
+    /// # Errors
+    /// The fault that came in place of an answer. Then nothing is asked.
+    fn hello(&mut self, announcement: &Question) -> Result<Hello, Fault>;
 
-/// The program under test. It is restarted if it has ended when the next question comes.
-pub struct Subject {
-    command: Vec<String>,
-    limit: Duration,
-    hello_line: String,
-    running: Option<Process>,
-    chatter_place: Option<ChatterPlace>,
+    /// Answers a question.
+    ///
+    /// # Errors
+    /// The fault that came in place of an answer.
+    fn ask(&mut self, question: &Asked) -> Result<Answer, Fault>;
+
+    /// Whether a question can be asked twice. Answers that were recorded cannot.
+    fn can_repeat(&self) -> bool {
+        true
+    }
+
+    /// Forgets everything that was asked before, as a fresh process does; `false` if it cannot.
+    fn restart(&mut self) -> bool {
+        false
+    }
+
+    /// What it is called in the report if its hello has no name.
+    fn description(&self) -> String {
+        "a program without a name".into()
+    }
+
     /// Number of starts.
-    pub starts: usize,
-    /// Its latest answer to `hello`, or what came in place of the first one. Then it is not asked anything.
-    pub hello: Result<Hello, Fault>,
-    /// Lines on its standard output other than JSON.
-    pub chatter: Chatter,
+    fn starts(&self) -> usize {
+        1
+    }
+
+    /// Lines on its standard output that are not JSON objects.
+    fn chatter(&self) -> Chatter {
+        Chatter::default()
+    }
+
+    /// What was wrong with the form of its answers.
+    fn remarks(&self) -> Vec<Remark> {
+        Vec::new()
+    }
 }
 
 /// Lines on standard output that are not JSON objects.
@@ -47,149 +65,73 @@ pub struct Chatter {
     pub last: String,
 }
 
-/// Picks the line that is waited for, or the fault that it shows; `None` to skip a line.
-type Wanted<'a, T> = &'a dyn Fn(AnswerLine) -> Option<Result<T, Fault>>;
-
-/// Where a program prints lines other than JSON. After the first such line the whole time limit applies to the answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum ChatterPlace {
-    /// Before its answers: the lines are skipped.
-    BeforeAnswers,
-    /// In place of answers: there is no answer to wait for.
-    InPlaceOfAnswers,
-}
-
-impl Subject {
-    /// Starts a program and exchanges `hello`.
-    ///
-    /// # Errors
-    /// [`Error::Command`] if the program cannot be started. A program that does not answer is not an error.
-    pub fn start(command: &[String], limit: Duration, hello_line: String) -> Result<Subject> {
-        let mut subject = Subject {
-            command: command.to_vec(),
-            limit,
-            hello_line,
-            running: None,
-            chatter_place: None,
-            starts: 0,
-            hello: Ok(Hello::default()),
-            chatter: Chatter::default(),
-        };
-        let process = subject.spawn()?;
-        subject.hello = subject.greet(process);
-        Ok(subject)
-    }
-
-    /// Asks a question and returns its answer.
-    ///
-    /// # Errors
-    /// The fault that came in place of an answer.
-    pub fn ask(&mut self, id: &str, line: String) -> Result<Answer, Fault> {
-        if self.running.is_none() {
-            if self.starts >= MOST_STARTS {
-                return Err(Fault::NotAsked(format!("the program was started {MOST_STARTS} times")));
-            }
-            let process = self.spawn().map_err(|error| Fault::Crash(error.to_string()))?;
-            let hello = self.greet(process).map_err(|fault| Fault::Crash(format!("restarted: {fault}")))?;
-            self.hello = Ok(hello);
-        }
-        let limit = self.limit;
-        self.exchange(line, limit, &|line| match line {
-            AnswerLine::Answer { id: of, answer } if of == id => Some(Ok(answer)),
-            AnswerLine::Hello { .. } => Some(Err(Fault::Garbage("a second hello".into()))),
-            // A late answer to an earlier question.
-            AnswerLine::Answer { .. } | AnswerLine::Chatter(_) => None,
-        })
-    }
-
-    fn spawn(&mut self) -> Result<Process> {
-        let none = String::new();
-        let (name, arguments) = self.command.split_first().unwrap_or((&none, &[]));
-        let process = Process::start(name, arguments);
-        self.starts += 1;
-        process.map_err(|source| Error::Command { command: name.clone(), source })
-    }
-
-    fn greet(&mut self, process: Process) -> Result<Hello, Fault> {
-        self.running = Some(process);
-        // A banner before `hello` does not predict where later lines are printed.
-        let chatter_place = self.chatter_place.take();
-        let (line, limit) = (self.hello_line.clone(), self.limit.max(START_LIMIT));
-        let hello = self.exchange(line, limit, &|line| match line {
-            AnswerLine::Hello { hello } => Some(Ok(hello)),
-            AnswerLine::Answer { .. } => Some(Err(Fault::Garbage("an answer before hello".into()))),
-            AnswerLine::Chatter(_) => None,
-        });
-        self.chatter_place = chatter_place;
-        hello
-    }
-
-    /// Sends a line and waits for one that `wanted` accepts. Kills a process that hung.
-    fn exchange<T>(&mut self, line: String, limit: Duration, wanted: Wanted<T>) -> Result<T, Fault> {
-        let Some(mut process) = self.running.take() else { return Err(Fault::Crash("it is not running".into())) };
-        let before = self.chatter.lines;
-        let outcome = process.send(line).and_then(|()| self.listen(&process, limit, wanted));
-        match &outcome {
-            Err(Fault::TimeLimit(_) | Fault::Endless(_)) => process.end(),
-            Err(Fault::Crash(how)) => {
-                let mut report = process.exit_report(how);
-                if self.chatter.lines > before {
-                    report += &format!("; it printed: {}", self.chatter.last);
-                }
-                return Err(Fault::Crash(report));
-            }
-            _ => self.running = Some(process),
-        }
-        outcome
-    }
-
-    /// Waits for a line that `wanted` accepts. Other lines are skipped; if nothing else comes, the first of them is the fault.
-    fn listen<T>(&mut self, process: &Process, limit: Duration, wanted: Wanted<T>) -> Result<T, Fault> {
-        let started = Instant::now();
-        let (mut deadline, mut first, mut count) = (limit, None, 0);
-        loop {
-            // A program that writes on and on always has a line ready: the clock ends it, not silence.
-            let left = deadline.checked_sub(started.elapsed()).filter(|left| !left.is_zero());
-            let next = left.map_or(Ok(None), |left| process.next(left))?;
-            let Some(line) = next else {
-                let Some(line) = first.filter(|_| self.chatter_place != Some(ChatterPlace::BeforeAnswers)) else {
-                    return Err(Fault::TimeLimit(format!("{} s", limit.as_secs_f64())));
-                };
-                self.chatter_place = Some(ChatterPlace::InPlaceOfAnswers);
-                return Err(Fault::Garbage(line));
-            };
-            match protocol::read(&line)? {
-                AnswerLine::Chatter(words) if words.is_empty() => {}
-                AnswerLine::Chatter(words) => {
-                    count += 1;
-                    self.chatter.add(&words);
-                    if count > MOST_CHATTER {
-                        return Err(Fault::Garbage(words));
-                    }
-                    if self.chatter_place == Some(ChatterPlace::InPlaceOfAnswers) {
-                        deadline = limit.min(started.elapsed() + SHORT_LIMIT);
-                    }
-                    first.get_or_insert(words);
-                }
-                line => {
-                    if let Some(answer) = wanted(line) {
-                        if first.is_some() {
-                            self.chatter_place = Some(ChatterPlace::BeforeAnswers);
-                        }
-                        return answer;
-                    }
-                }
-            }
-        }
-    }
-}
-
 impl Chatter {
-    fn add(&mut self, words: &str) {
+    pub(crate) fn add(&mut self, words: &str) {
         if self.lines == 0 {
             self.first = words.into();
         }
         self.last = words.into();
         self.lines += 1;
+    }
+}
+
+/// Code of this process, for a unit test: a closure that answers questions.
+///
+/// ```
+/// use ancf_conform::{Answer, Asked, Code, Options, Report, Suite, examine};
+///
+/// /// Our Lamé constants of (17).
+/// fn answer(question: &Asked) -> Answer {
+///     let number = |key: &str| question.state[key].as_f64().unwrap_or(f64::NAN);
+///     let (e, nu) = (number("E"), number("nu"));
+///     if !(e > 0.0 && -1.0 < nu && nu < 0.5) {
+///         return Answer::Error(format!("E = {e}, nu = {nu}; allowed: E > 0, -1 < nu < 0.5"));
+///     }
+///     match question.equation {
+///         "17.lambda" => Answer::value(e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))),
+///         "17.mu" => Answer::value(e / (2.0 * (1.0 + nu))),
+///         _ => Answer::NotImplemented,
+///     }
+/// }
+///
+/// let suite = Suite::embedded()?;
+/// let mut mine = Code::new("mine", answer).with_quantities(["17.lambda", "17.mu"]);
+/// let report = Report::new(&suite, &examine(&suite, &mut mine, Options::default(), |_| {}));
+/// assert!(report.first_wrong.is_none(), "{}", report.markdown());
+/// # Ok::<(), ancf_conform::Error>(())
+/// ```
+pub struct Code<F> {
+    hello: Hello,
+    answer: F,
+}
+
+impl<F: FnMut(&Asked) -> Answer> Code<F> {
+    /// Code that answers with `answer`, called `name` in the report.
+    pub fn new(name: impl Into<String>, answer: F) -> Code<F> {
+        Code { hello: Hello { name: Some(name.into()), ..Hello::default() }, answer }
+    }
+
+    /// Has the code asked for these quantities only.
+    #[must_use]
+    pub fn with_quantities<'a>(mut self, quantities: impl IntoIterator<Item = &'a str>) -> Code<F> {
+        self.hello.quantities = Some(quantities.into_iter().map(String::from).collect());
+        self
+    }
+
+    /// Says that the code computes with the values of other quantities in [`Asked::given`].
+    #[must_use]
+    pub fn with_given(mut self) -> Code<F> {
+        self.hello.given = true;
+        self
+    }
+}
+
+impl<F: FnMut(&Asked) -> Answer> Subject for Code<F> {
+    fn hello(&mut self, _: &Question) -> Result<Hello, Fault> {
+        Ok(self.hello.clone())
+    }
+
+    fn ask(&mut self, question: &Asked) -> Result<Answer, Fault> {
+        Ok((self.answer)(question))
     }
 }

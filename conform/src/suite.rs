@@ -26,7 +26,7 @@ const FILES: [(&str, &str); 4] = [
 ];
 
 /// All states with their reference values, and the states that must be refused.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Suite {
     /// Version of each fixture file, by name.
     pub versions: BTreeMap<String, String>,
@@ -39,8 +39,7 @@ pub struct Suite {
 }
 
 /// Description of a quantity.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[schemars(deny_unknown_fields)]
+#[derive(Clone, Debug, Deserialize)]
 pub struct Quantity {
     /// Whether there is a value for each point of the state, or one for the element; null for (23).
     pub per: Option<Per>,
@@ -74,7 +73,7 @@ pub enum Length {
 }
 
 /// A state with its reference values.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Case {
     /// Name; those of `cable.json` begin with `cable-`.
     pub id: String,
@@ -91,7 +90,7 @@ pub struct Case {
 }
 
 /// A state to compute with.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum State {
     /// State of an ANCF element.
     Element(Box<ElementState>),
@@ -115,6 +114,17 @@ pub struct Reference {
     /// Absolute tolerance of each entry.
     pub absolute: Vec<f64>,
     /// `absolute` divided by the size of the terms that are added up.
+    pub relative: f64,
+    /// Wider tolerances, of a program below double precision; `None` for those of the fixtures.
+    pub attainable: Option<Tolerance>,
+}
+
+/// Tolerances of a reference value at the precision of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Absolute tolerance of each entry.
+    pub absolute: Vec<f64>,
+    /// Rounding of a term, relative to the term.
     pub relative: f64,
 }
 
@@ -168,13 +178,14 @@ impl Suite {
     fn add(&mut self, name: &str, text: &str) -> Result<(), String> {
         let mut json: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
         self.versions.insert(name.into(), read(&json["version"], "version")?);
+        // Files before structure.json 1.2 and invalid.json 1.2 have `cases` alone.
+        let list = if json["states"].is_null() { "cases" } else { "states" };
         if name == "invalid.json" {
-            self.invalid = read(&json["cases"], "cases")?;
+            self.invalid = read(&json[list], list)?;
             return Ok(());
         }
         self.quantities.extend(read::<BTreeMap<String, Quantity>>(&json["quantities"], "quantities")?);
-        let list = if name == "structure.json" { "cases" } else { "states" };
-        let Value::Array(cases) = json[list].take() else { return Err(format!("no list `{list}`")) };
+        let Value::Array(cases) = json[list].take() else { return Err("no list `states`".into()) };
         for case in &cases {
             let id: String = read(&case["id"], "id of a case")?;
             self.cases.push(self.read_case(name, case).map_err(|reason| format!("{id}: {reason}"))?);
@@ -270,7 +281,7 @@ impl Reference {
                 "`absolute` and `relative` must be positive, `absolute` one number or one for each entry".into()
             );
         }
-        Ok(Reference { json, per_point, shape, numbers, absolute, relative })
+        Ok(Reference { json, per_point, shape, numbers, absolute, relative, attainable: None })
     }
 
     /// Shape of the value at one point, or of the whole value of an element.
@@ -278,12 +289,35 @@ impl Reference {
         if self.per_point { self.shape.get(1..).unwrap_or_default() } else { &self.shape }
     }
 
+    /// Absolute tolerances at the precision of the program.
+    pub(crate) fn tolerances(&self) -> &[f64] {
+        self.attainable.as_ref().map_or(&self.absolute, |attainable| &attainable.absolute)
+    }
+
+    /// Size of the terms that are added up for an entry.
+    pub(crate) fn terms(&self) -> impl Iterator<Item = f64> {
+        self.absolute.iter().map(|bound| bound / self.relative)
+    }
+
     /// Entry with the largest error, and that error in tolerances. A NaN is the largest error of all.
     pub(crate) fn worst_entry(&self, answer: &[f64]) -> (usize, f64) {
-        let entries = answer.iter().zip(&self.numbers).zip(&self.absolute).enumerate();
+        let entries = answer.iter().zip(&self.numbers).zip(self.tolerances()).enumerate();
         entries
             .map(|(n, ((a, b), bound))| (n, (a - b).abs() / bound))
             .fold((0, 0.0), |worst, next| if next.1 > worst.1 || next.1.is_nan() { next } else { worst })
+    }
+
+    /// Largest error of an entry relative to its terms.
+    pub(crate) fn error(&self, answer: &[f64]) -> f64 {
+        let entries = answer.iter().zip(&self.numbers).zip(self.terms());
+        entries
+            .map(|((a, b), terms)| (a - b).abs() / terms)
+            .fold(0.0, |worst: f64, next| if next.is_nan() { f64::INFINITY } else { worst.max(next) })
+    }
+
+    /// Correct digits of the worst entry, as many as there are: infinite where every entry is exact.
+    pub(crate) fn digits(&self, answer: &[f64]) -> f64 {
+        -self.error(answer).log10()
     }
 }
 

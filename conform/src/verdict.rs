@@ -1,19 +1,22 @@
 //! One answer compared with its reference value.
 
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::suite::Reference;
 
 /// Largest number of correct digits that is reported: the precision of f64.
 const MOST_DIGITS: f64 = 16.0;
 
+/// Index of a case in [`Suite::cases`](crate::Suite::cases), and the verdict on the answer in it.
+pub type CaseVerdict = (usize, Verdict);
+
 /// Judgement of one answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// Every entry is within its tolerance.
+    /// Every entry is within its tolerance at the precision of the program.
     Pass {
-        /// Correct digits of the worst entry.
+        /// Correct digits of the worst entry, relative to its terms.
         digits: f64,
     },
     /// At least one number is out of tolerance.
@@ -40,7 +43,7 @@ pub struct Wrong {
 }
 
 /// Why an answer has no numbers to compare.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", tag = "fault", content = "detail")]
 pub enum Fault {
     /// The program reported an error; `detail` is its message.
@@ -55,6 +58,8 @@ pub enum Fault {
     Endless(String),
     /// No answer within the time limit; the program was killed. `detail` is the limit.
     TimeLimit(String),
+    /// The answer came only when the program's input was closed; `detail` says why, and what to do.
+    Buffered(String),
     /// The program ended; `detail` is its exit status and last message.
     Crash(String),
     /// The question was not asked; `detail` is the reason.
@@ -71,6 +76,7 @@ impl Fault {
             Fault::Garbage(_) => "no answer but another line",
             Fault::Endless(_) => "a line without an end",
             Fault::TimeLimit(_) => "no answer in time",
+            Fault::Buffered(_) => "no answer until its input was closed",
             Fault::Crash(_) => "ended",
             Fault::NotAsked(_) => "not asked any more",
         }
@@ -86,6 +92,7 @@ impl std::fmt::Display for Fault {
             Fault::Garbage(line) => write!(f, "not an answer: {line}"),
             Fault::Endless(length) => write!(f, "a line that does not end: {length}; the program was killed"),
             Fault::TimeLimit(limit) => write!(f, "no answer within {limit}"),
+            Fault::Buffered(why) => write!(f, "no answer until its input was closed: {why}"),
             Fault::Crash(how) => write!(f, "the program ended: {how}"),
             Fault::NotAsked(why) => write!(f, "not asked: {why}"),
         }
@@ -100,7 +107,7 @@ impl Verdict {
             return Verdict::Fault(Fault::Shape(format!("{found} numbers; expected {expected}")));
         }
         let (entry, worst) = reference.worst_entry(&answer);
-        let digits = (-(worst * reference.relative).log10()).clamp(0.0, MOST_DIGITS);
+        let digits = reference.digits(&answer).clamp(0.0, MOST_DIGITS);
         if worst <= 1.0 {
             return Verdict::Pass { digits };
         }
@@ -135,7 +142,8 @@ mod tests {
 
     fn reference() -> Reference {
         let (numbers, absolute) = (vec![1.0, 200.0], vec![1e-13, 1e-11]);
-        Reference { json: Value::Null, per_point: false, shape: vec![2], numbers, absolute, relative: 1e-13 }
+        let json = Value::Null;
+        Reference { json, per_point: false, shape: vec![2], numbers, absolute, relative: 1e-13, attainable: None }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::fs;
 use std::time::Duration;
 
-use ancf_conform::{Options, Report, Suite, examine, schemas};
+use ancf_conform::{Options, Program, Report, Suite, examine, schemas};
 use jsonschema::Validator;
 use serde_json::{Value, json};
 
@@ -24,6 +24,7 @@ fn answers_of_the_protocol_are_valid() {
     let answers = validator("answer.schema.json");
     for answer in [
         json!({"hello": {"name": "mine"}}),
+        json!({"hello": {"name": "mine", "conventions": {"matrices": "columns", "slopes": ["l/2", "h/2"]}}}),
         json!({"hello": {"name": "mine", "given": true, "quantities": ["1.r", "7.M"], "version": 2}}),
         json!({"id": "1", "value": 0.375}),
         json!({"id": "2", "value": [[0.375, 0.005]]}),
@@ -73,8 +74,8 @@ done
         questions.display()
     );
     let suite = Suite::embedded().unwrap();
-    let options = Options { time_limit: Duration::from_secs(10), given: true };
-    let examination = examine(&suite, &["sh".into(), "-c".into(), script], options, |_| {}).unwrap();
+    let mut program = Program::start(&["sh".into(), "-c".into(), script], Duration::from_secs(10)).unwrap();
+    let examination = examine(&suite, &mut program, Options::default(), |_| {});
     let report = serde_json::to_value(Report::new(&suite, &examination)).unwrap();
     assert_valid(&validator("report.schema.json"), &report);
     assert_eq!(report["first_wrong"]["quantity"], "17.lambda");
@@ -100,7 +101,7 @@ done
 #[test]
 fn the_report_on_a_program_without_hello_is_valid() {
     let suite = Suite::embedded().unwrap();
-    let options = Options { time_limit: Duration::from_secs(10), given: true };
-    let examination = examine(&suite, &["false".into()], options, |_| {}).unwrap();
+    let mut program = Program::start(&["false".into()], Duration::from_secs(10)).unwrap();
+    let examination = examine(&suite, &mut program, Options::default(), |_| {});
     assert_valid(&validator("report.schema.json"), &serde_json::to_value(Report::new(&suite, &examination)).unwrap());
 }

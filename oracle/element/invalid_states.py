@@ -9,8 +9,8 @@ from .states import states
 FILE = "invalid.json"
 
 CONVENTIONS = {
-    "cases": "`state` has the shape of a state of equations.json and is that of `base` but for `key`. A program that is "
-             "asked for `equation` has to answer with an error, not with a value.",
+    "states": "`state` has the shape of a state of equations.json and is that of `base` but for `key`. A program that is "
+              "asked for `equation` has to answer with an error, not with a value.",
     "edits": "never by hand: the command under generator writes this file, and with --check compares it.",
 }
 
@@ -56,13 +56,15 @@ def generate():
     (base,) = (state for state in states() if state.id == BASE)
     state = inputs(base, fixture.nearest, {"theta": nearest_angle(*base.direction)})
     assert len({case[0] for case in CASES}) == len(CASES), "ids must be unique"
+    entries = [entry(state, *case) for case in CASES]
     return {
         "schema": "ancf-invalid/1",
         "title": "Element states that have to be refused",
         "generator": {"command": "python -m oracle invalid"},
         "conventions": CONVENTIONS,
         "base": BASE,
-        "cases": [entry(state, *case) for case in CASES],
+        "states": entries,
+        "cases": entries,
     }
 
 

@@ -35,9 +35,9 @@ CONVENTIONS = {
                   "and forces, Phi_q of Phi.",
     "printed": "E4: with Phi_q lambda for Phi_q^T lambda, which is defined only where there are as many "
                "constraints as coordinates.",
-    "cases": "q, q'' and lambda are arbitrary: they need not satisfy Phi = 0 or (23), whose residual is "
-             "given. `exact` is rational text, `state` and f64 are the f64 nearest to it. 23.acceleration "
-             "and 23.lambda solve (23) with Phi_q q'' = 0 at the case's q and t.",
+    "states": "q, q'' and lambda are arbitrary: they need not satisfy Phi = 0 or (23), whose residual is "
+              "given. `exact` is rational text, `state` and f64 are the f64 nearest to it. 23.acceleration "
+              "and 23.lambda solve (23) with Phi_q q'' = 0 at the case's q and t.",
     "square": "no scene but one element, in the shape of a state of `equations.json`, and Phi_q as data; "
               "Phi = Phi_q (q - e0).",
     "trajectories": "from rest at the initial structure. position and velocity by point; reactions: force of "
@@ -61,6 +61,7 @@ CONVENTIONS = {
 
 def generate():
     """The fixture."""
+    states = cases.cases()
     return {
         "schema": "ancf-structure/1",
         "title": "Rods pinned to one another: the terms of equation (23), motions, and the rigid mechanism",
@@ -73,7 +74,8 @@ def generate():
         "conventions": CONVENTIONS,
         "quantities": cases.descriptions(),
         "tags": cases.TAGS,
-        "cases": cases.cases(),
+        "states": states,
+        "cases": states,
         "trajectories": trajectories.generate(),
         "rigid": mechanism.generate(),
     }

@@ -36,7 +36,7 @@ pub(super) fn wrong_entries(quantity: &str, observations: &[Observation]) -> Vec
         if size == 1 {
             return Vec::new();
         }
-        let entries = answer.iter().zip(&reference.numbers).zip(&reference.absolute).enumerate();
+        let entries = answer.iter().zip(&reference.numbers).zip(reference.tolerances()).enumerate();
         let wrong = entries.filter(|(_, ((a, b), bound))| (*a - *b).abs() > **bound);
         names.extend(wrong.map(|(n, _)| entry_name(n % size, shape)));
     }

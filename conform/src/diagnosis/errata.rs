@@ -7,11 +7,11 @@ use super::entries::rows;
 use super::mistake::MistakeKind::Erratum;
 use super::quadrature::{self, K, integrands};
 use crate::suite::{Case, State};
-use ancf::equations::element::Matrix14;
+use ancf::equations::element::{Element, Matrix14};
 use ancf::equations::force;
 use ancf::equations::material::LameConstants;
 use ancf::equations::shape::Vector14;
-use ancf::state::ElementState;
+use ancf::state::{ElementState, evaluate};
 
 /// Candidates with the printed forms of the fixtures.
 pub(super) fn of<'a>(quantity: &str, case: &'a Case) -> Vec<Candidate<'a>> {
@@ -52,12 +52,28 @@ fn of_element<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidate<'a>>
         sum(lame, &K_1, &K_2, &K_3)
     };
     match quantity {
+        "18.U" | "tangent.dQ_e" => vec![in_own_axes(quantity, state)],
         "21.K_3" => vec![candidate(Erratum, "E2: −1 in K_3", move || rows(&K_123().2))],
-        "20.K" => sums.map(|(what, sum)| candidate(Erratum, what, move || rows(&summed(sum)))).into(),
+        "20.K" => {
+            let of_sums = sums.map(|(what, sum)| candidate(Erratum, what, move || rows(&summed(sum))));
+            of_sums.into_iter().chain([in_own_axes(quantity, state)]).collect()
+        }
         "19.Q_e" => {
             let e = Vector14::from(state.e);
-            sums.map(|(what, sum)| candidate(Erratum, what, move || rows(&force::Q_e(&e, &summed(sum))))).into()
+            let of_sums = sums.map(|(what, sum)| candidate(Erratum, what, move || rows(&force::Q_e(&e, &summed(sum)))));
+            of_sums.into_iter().chain([in_own_axes(quantity, state)]).collect()
         }
         _ => Vec::new(),
     }
+}
+
+/// Candidate with E3 made in the rod's own axes: their shear strain counts once, as in rods without θ.
+///
+/// The strains in these axes are those of (9)–(13) for an initial element along x: they depend on lengths and angles of r_x and r_y alone.
+fn in_own_axes<'a>(quantity: &str, state: &'a ElementState) -> Candidate<'a> {
+    let printed = format!("{quantity}/printed-shear");
+    possible(Erratum, "E3 in the rod's own axes: the shear counted once there, μ for 2μ", move || {
+        let along_x = Element::straight(state.l, state.h, state.w, 0.0);
+        evaluate(&printed, &ElementState { theta: 0.0, e0: along_x.e_0.into(), ..state.clone() })
+    })
 }

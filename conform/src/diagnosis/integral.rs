@@ -6,13 +6,16 @@ use nalgebra::{Vector2, Vector3};
 
 use super::candidate::{Candidate, candidate, possible};
 use super::entries::rows;
-use super::mistake::MistakeKind::{self, Erratum, Heat, HeatOnShear, Missing, Other, Quadrature, Transpose};
+use super::mistake::MistakeKind::{self, Digits, Erratum, Heat, HeatOnShear, Missing, Other, Quadrature, Transpose};
 use super::quadrature::{Integrand, K, bracket, exact, gauss, integrands, material, mean, points, product};
 use ancf::equations::element::Matrix14;
 use ancf::equations::material::{self as law, LameConstants};
 use ancf::equations::shape::{self, Vector14};
 use ancf::internals::equations::volume::{GAUSS_3, GAUSS_5, Point};
 use ancf::state::{ElementState, ThermalModel};
+
+/// Numbers of decimals of constants that were copied too short.
+const SHORT: std::ops::RangeInclusive<i32> = 4..=12;
 
 /// Candidates for a quantity that is an integral.
 pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
@@ -23,6 +26,9 @@ pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidat
         let by =
             |(what, rule): (String, Vec<Point>)| possible(Quadrature, what, move || integrated(quantity, state, &rule));
         all.extend(rules(state).into_iter().map(by));
+        let with =
+            |(what, rule): (String, Vec<Point>)| possible(Digits, what, move || integrated(quantity, state, &rule));
+        all.extend(short_constants(state).into_iter().map(with));
         if quantity == "tangent.dQ_e" {
             all.extend(
                 rules(state)
@@ -57,6 +63,22 @@ fn rules(state: &ElementState) -> Vec<(String, Vec<Point>)> {
     moved("y from −h to h", &|xi, eta| (xi, 2.0 * eta));
     moved("y from 0 to h", &|xi, eta| (xi, 1.0 + eta));
     all
+}
+
+/// The right rule, its points and weights with few digits.
+fn short_constants(state: &ElementState) -> Vec<(String, Vec<Point>)> {
+    let rule = |shorten: &dyn Fn(f64) -> f64| {
+        let all = |rule: &[(f64, f64)]| -> Vec<(f64, f64)> {
+            rule.iter().map(|(point, weight)| (shorten(*point), shorten(*weight))).collect()
+        };
+        points(state, &all(&GAUSS_5), &all(&GAUSS_3), |xi, eta| (xi, eta))
+    };
+    let single = ("Gauss points and weights in single precision".to_string(), rule(&|number| f64::from(number as f32)));
+    let decimals = SHORT.map(|n| {
+        let unit = 10f64.powi(n);
+        (format!("Gauss points and weights with {n} decimals"), rule(&|number| (number * unit).round() / unit))
+    });
+    decimals.chain([single]).collect()
 }
 
 /// Value of a quantity by a quadrature rule.

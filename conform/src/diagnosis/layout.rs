@@ -50,6 +50,13 @@ pub(super) fn coordinate_orders() -> Vec<(MistakeKind, String, [usize; 14])> {
     orders
 }
 
+/// Other orders of four vectors.
+pub(super) fn permutations() -> Vec<[usize; 4]> {
+    let code = |n: usize| [n / 64, n / 16 % 4, n / 4 % 4, n % 4];
+    let is_permutation = |order: &[usize; 4]| (0..4).all(|k| order.contains(&k));
+    (0..256).map(code).filter(is_permutation).filter(|order| *order != [0, 1, 2, 3]).collect()
+}
+
 /// Candidates with permuted or transposed entries.
 pub(super) fn of(reference: &Reference) -> Vec<Candidate<'_>> {
     let mut all = Vec::new();
@@ -73,6 +80,19 @@ pub(super) fn of(reference: &Reference) -> Vec<Candidate<'_>> {
             _ => continue,
         };
         add(kind, format!("answered in another order: {what}"), place);
+    }
+    if let [8] | [8, 8] = *shape {
+        let orders = permutations().into_iter().map(|order| {
+            let vectors: [usize; 8] = std::array::from_fn(|n| 2 * order[n / 2] + n % 2);
+            (NodeOrder, format!("the vectors {order:?} of 0 to 3"), vectors)
+        });
+        let y_first = (XyOrder, "y before x".to_string(), std::array::from_fn(|n| n ^ 1));
+        let all_x = (XyOrder, "all x, then all y".to_string(), std::array::from_fn(|n| 2 * (n % 4) + n / 4));
+        for (kind, what, order) in orders.chain([y_first, all_x]) {
+            let of_matrix = shape.len() == 2;
+            let place = move |n: usize| if of_matrix { order[n / 8] * 8 + order[n % 8] } else { order[n] };
+            add(kind, format!("answered in another order: {what}"), Box::new(place));
+        }
     }
     if let [7] = *shape {
         for (what, order) in vector_orders() {

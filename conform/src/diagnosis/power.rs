@@ -1,11 +1,18 @@
 //! Factors as products of a simple fraction and powers of l, h, w, ρ and E.
 
 use super::mistake::MistakeKind::{self, Factor, Missing, Sign};
+use crate::suite::Case;
 
 /// Quantities in a factor, each with the largest exponent that is tried.
 const NAMES: [(&str, i32); 5] = [("l", 3), ("h", 2), ("w", 1), ("ρ", 1), ("E", 1)];
 /// Values of [`NAMES`] in one case; 1 for a quantity that the case lacks.
 pub(super) type Numbers = [f64; 5];
+
+/// Values of [`NAMES`] in a case.
+pub(super) fn numbers_of(case: &Case) -> Numbers {
+    ["l", "h", "w", "rho", "E"].map(|key| case.state_json[key].as_f64().unwrap_or(1.0))
+}
+
 /// Largest denominator and numerator of a simple fraction.
 const SIMPLE: i32 = 16;
 
@@ -58,7 +65,13 @@ impl PowerLaw {
         PowerLaw { number, exponents: [0; 5] }
     }
 
-    fn value(&self, of: &Numbers) -> f64 {
+    /// Law of a factor that is a power of one of the [`NAMES`], by its place there.
+    pub(super) fn power(place: usize, exponent: i32) -> PowerLaw {
+        PowerLaw { number: 1.0, exponents: std::array::from_fn(|n| if n == place { exponent } else { 0 }) }
+    }
+
+    /// The factor in a case.
+    pub(super) fn value(&self, of: &Numbers) -> f64 {
         self.number * product(of, &self.exponents)
     }
 

@@ -1,5 +1,6 @@
 //! Equations as sums of terms.
 
+mod cable;
 mod force;
 mod motion;
 mod shape;
@@ -18,7 +19,7 @@ pub(super) fn of(quantity: &str, case: &Case) -> Vec<Term> {
             [shape::of, strain::of, force::of, motion::of].into_iter().flat_map(|of| of(quantity, state)).collect()
         }
         State::System(system) => motion::of_system(quantity, system),
-        State::Cable(_) => Vec::new(),
+        State::Cable(state) => cable::of(quantity, state),
     }
 }
 

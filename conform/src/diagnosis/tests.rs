@@ -5,8 +5,10 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use ancf::state::{ElementState, ThermalModel, evaluate};
+use ancf::state::{CableState, ElementState, ThermalModel, evaluate, evaluate_cable};
 
+use super::ancestors::{Ancestor, Seen, ancestors};
+use super::chain::{Chain, Values};
 use super::diagnose::{Diagnosis, diagnose};
 use super::entries::rows;
 use super::mistake::{Mistake, MistakeKind};
@@ -65,6 +67,37 @@ fn printed_errors_are_told_by_their_names() {
     ] {
         let finding = assert_first(right, MistakeKind::Erratum, |state, _| evaluate(printed, state).unwrap());
         assert!(finding.mistakes[0].what.starts_with(name), "{finding:?}");
+    }
+}
+
+/// The whole rod turned by −θ, so that it lies along x, and its printed energy: its shear is that of the rod's own axes.
+#[test]
+fn the_third_erratum_in_the_rods_own_axes_has_a_name() {
+    let turned = |vectors: &[f64], angle: f64| -> Vec<f64> {
+        let (sin, cos) = angle.sin_cos();
+        vectors.chunks(2).flat_map(|v| [cos * v[0] - sin * v[1], sin * v[0] + cos * v[1]]).collect()
+    };
+    let along_x = |state: &ElementState| {
+        let of = |e: &[f64; 14]| turned(e, -state.theta).try_into().unwrap();
+        ElementState { theta: 0.0, e0: of(&state.e0), e: of(&state.e), ..state.clone() }
+    };
+    let finding =
+        assert_first("18.U", MistakeKind::Erratum, |state, _| evaluate("18.U/printed-shear", &along_x(state)).unwrap());
+    assert!(finding.mistakes[0].what.starts_with("E3 in the rod's own axes"), "{finding:?}");
+    let finding = assert_first("19.Q_e", MistakeKind::Erratum, |state, _| {
+        turned(&evaluate("19.Q_e/printed-shear", &along_x(state)).unwrap(), state.theta)
+    });
+    assert_eq!(finding.mistakes.len(), 1, "{finding:?}");
+    for quantity in ["20.K", "tangent.dQ_e"] {
+        let finding = assert_first(quantity, MistakeKind::Erratum, |state, _| {
+            let matrix = evaluate(&format!("{quantity}/printed-shear"), &along_x(state)).unwrap();
+            // R K Rᵀ: rows first, then columns.
+            let rows: Vec<f64> = matrix.chunks(14).flat_map(|row| turned(row, state.theta)).collect();
+            let columns = (0..14).map(|n| rows.iter().skip(n).step_by(14).copied().collect::<Vec<_>>());
+            let columns: Vec<Vec<f64>> = columns.map(|column| turned(&column, state.theta)).collect();
+            (0..196).map(|n| columns[n % 14][n / 14]).collect()
+        });
+        assert!(finding.mistakes[0].what.starts_with("E3 in the rod's own axes"), "{finding:?}");
     }
 }
 
@@ -255,4 +288,133 @@ fn errors_and_other_shapes_alone_have_no_kind() {
             assert_eq!(diagnose(quantity, &observations).mistakes, [], "{quantity}");
         }
     }
+}
+
+/// Ancestors of the force in a black box that answers M, the force and its tangent, with wrong values of some quantities.
+fn in_a_black_box(wrong: impl Fn(&ElementState, &Chain) -> Vec<(&'static str, Vec<f64>)>) -> Vec<Ancestor> {
+    let answered = ["7.M", "19.Q_e", "tangent.dQ_e"];
+    let mut answers: Vec<(&'static str, &Case, Vec<f64>)> = Vec::new();
+    for case in &SUITE.cases {
+        let State::Element(state) = &case.state else { continue };
+        let chain = Chain::new(state);
+        let replaced: Values = wrong(state, &chain).into_iter().map(|(name, value)| (name, value.into())).collect();
+        for quantity in answered {
+            let value = chain.value(quantity, &replaced).unwrap_or_else(|| case.values[quantity].numbers.clone());
+            answers.push((quantity, case, value));
+        }
+    }
+    let mut seen = Seen::new();
+    for (quantity, case, numbers) in &answers {
+        let right = case.values[*quantity].worst_entry(numbers).1 <= 1.0;
+        let outcome = if right { Outcome::Right } else { Outcome::Wrong(numbers) };
+        seen.entry(quantity).or_default().push(Observation { case, outcome });
+    }
+    let all_right = |quantity: &str| seen[quantity].iter().all(|o| o.outcome == Outcome::Right);
+    assert!(!all_right("19.Q_e"));
+    ancestors("19.Q_e", &seen, |quantity| seen.contains_key(quantity) && all_right(quantity))
+}
+
+#[test]
+fn a_black_box_names_the_root() {
+    // S_4x with the wrong sign of its middle term, θ in place of J_0.
+    let found = in_a_black_box(|_, chain| {
+        let points = chain.everywhere.points.iter();
+        let l = chain.everywhere.l;
+        let mut S_x = chain.right("3.S_x").unwrap().to_vec();
+        points.enumerate().for_each(|(p, [x, _])| S_x[7 * p + 3] -= 24.0 * x / l);
+        vec![("3.S_x", S_x), ("9.J_0", chain.right("9.J_0").unwrap().to_vec())]
+    });
+    assert_eq!((found[0].quantity, found[0].mistakes[0].kind), ("3.S_x", MistakeKind::Sign), "{found:?}");
+    assert!(found.iter().all(|ancestor| !["3.S", "2.S"].contains(&ancestor.quantity)), "M is right: {found:?}");
+    let found = in_a_black_box(|state, _| match state.model {
+        ThermalModel::OneD => vec![("8.epsilon_T", vec![state.alpha * state.dT, 0.0, 0.0])],
+        _ => vec![],
+    });
+    assert_eq!((found[0].quantity, found[0].mistakes[0].kind), ("8.epsilon_T", MistakeKind::HeatAlongX), "{found:?}");
+    let found = in_a_black_box(|_, chain| {
+        vec![("11.S_c", chain.right("11.S_c").unwrap().chunks(196).flat_map(transposed).collect())]
+    });
+    assert!(found[0].mistakes.is_empty(), "only the sum of S_c and its transpose is used: {found:?}");
+}
+
+fn transposed(matrix: &[f64]) -> Vec<f64> {
+    (0..196).map(|n| 0.3 * matrix[n % 14 * 14 + n / 14] + 0.9 * matrix[n]).collect()
+}
+
+#[test]
+fn two_mistakes_in_a_black_box_are_two() {
+    let found = in_a_black_box(|state, _| {
+        let lambda = state.E * state.nu / ((1.0 + state.nu) * (1.0 - state.nu));
+        let heat = match state.model {
+            ThermalModel::TwoD => vec![("8.epsilon_T", vec![state.alpha * state.dT; 3])],
+            _ => vec![],
+        };
+        [heat, vec![("17.lambda", vec![lambda])]].concat()
+    });
+    let named: Vec<&str> =
+        found.iter().filter(|ancestor| !ancestor.mistakes.is_empty()).map(|ancestor| ancestor.quantity).collect();
+    assert_eq!(named, ["8.epsilon_T", "17.lambda"], "{found:?}");
+    assert!(found[0].speaks.contains("together"), "{found:?}");
+}
+
+#[test]
+fn two_mistakes_in_different_states_are_two() {
+    let finding = found("8.epsilon_T", |state, right| match state.model {
+        ThermalModel::OneD => vec![state.alpha * state.dT, 0.0, 0.0],
+        ThermalModel::TwoD => vec![state.alpha * state.dT; 3],
+        _ => right.numbers.clone(),
+    });
+    assert!(finding.together, "{finding:?}");
+    assert_eq!(kinds(&finding), [MistakeKind::HeatAlongX, MistakeKind::HeatOnShear], "{finding:?}");
+    assert!(finding.mistakes[0].what.ends_with("in states tagged 1d"), "{finding:?}");
+}
+
+/// What is found in answers of a cable.
+fn found_in_a_cable(quantity: &str, answer: impl Fn(&CableState) -> Vec<f64>) -> Vec<Mistake> {
+    let answers: Vec<(&Case, Vec<f64>)> = (SUITE.cases.iter())
+        .filter_map(|case| match &case.state {
+            State::Cable(state) => Some((case, answer(state))),
+            _ => None,
+        })
+        .collect();
+    let outcome = |case: &Case, numbers: &'static [f64]| match case.values[quantity].worst_entry(numbers).1 <= 1.0 {
+        true => Outcome::Right,
+        false => Outcome::Wrong(numbers),
+    };
+    let observations: Vec<Observation> = (answers.into_iter())
+        .map(|(case, numbers)| Observation { case, outcome: outcome(case, Vec::leak(numbers)) })
+        .collect();
+    diagnose(quantity, &observations).mistakes
+}
+
+#[test]
+fn mistakes_in_a_cable_have_kinds() {
+    for quantity in ["cable.epsilon", "cable.U", "cable.Q_e", "cable.tangent", "cable.eddot"] {
+        let found = found_in_a_cable(quantity, |state| {
+            evaluate_cable(quantity, &CableState { alpha: -state.alpha, ..state.clone() }).unwrap()
+        });
+        assert_eq!(found[0].kind, MistakeKind::Sign, "{quantity}: {found:?}");
+        assert!(found[0].what.contains("heat") || found[0].what.contains("ε_T"), "{quantity}: {found:?}");
+    }
+    for quantity in ["cable.U", "cable.Q_e", "cable.tangent"] {
+        // EA goes with h and EI with its cube: their parts follow from two heights.
+        let found = found_in_a_cable(quantity, |state| {
+            let with = |h: f64| evaluate_cable(quantity, &CableState { h, ..state.clone() }).unwrap();
+            let (one, two) = (with(state.h), with(2.0 * state.h));
+            one.iter().zip(two).map(|(one, two)| one + 11.0 * (two - 2.0 * one) / 6.0).collect()
+        });
+        assert!(found.iter().any(|mistake| mistake.what == "I = w h³ without 1/12"), "{quantity}: {found:?}");
+    }
+    let found = found_in_a_cable("cable.kappa", |state| {
+        let (r_x, kappa) = ("cable.r_x", "cable.kappa");
+        let norms = evaluate_cable(r_x, state).unwrap();
+        let norms = norms.chunks(2).map(|r_x| r_x[0].hypot(r_x[1]));
+        evaluate_cable(kappa, state).unwrap().iter().zip(norms).map(|(kappa, norm)| kappa / norm).collect()
+    });
+    assert!(found[0].what.starts_with("|r_x|³ for |r_x|²"), "{found:?}");
+    let found = found_in_a_cable("cable.M", |state| {
+        let half = state.rho * state.h * state.w * state.l / 2.0;
+        (0..64).map(|n| if [0, 9, 36, 45].contains(&n) { half } else { 0.0 }).collect()
+    });
+    assert_eq!(found[0].what, "lumped: half on each end");
 }

@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::record::{Counts, FailingCase, Failure, QuantityResult, Report};
-use crate::diagnosis::Diagnosis;
+use super::findings::ancestor_lines;
+use super::marks::{Marks, cell, plain};
+use super::record::{Counts, QuantityResult, Report};
+use super::screen::diagnosis_text;
 use crate::examination::InvalidOutcome;
-use crate::protocol::quoted;
 
 impl Report {
-    /// The report as Markdown, to read and to paste.
+    /// The report as Markdown, to read and to paste. Its first 25 lines say what to do.
     pub fn markdown(&self) -> String {
         let mut text = String::new();
         // Writing to a String cannot fail.
@@ -22,25 +23,20 @@ impl Report {
         if let Some(fault) = &self.program.no_hello {
             return format!("it did not answer hello: {}", plain(fault));
         }
+        self.counts_text()
+    }
+
+    /// Numbers of quantities that pass, fail and are missing; empty if nothing was asked.
+    pub(super) fn counts_text(&self) -> String {
+        if self.program.no_hello.is_some() {
+            return String::new();
+        }
         let count = |word: &str| self.quantities.iter().filter(|row| row.counts.word() == word).count();
-        let (pass, fail, missing) = (count("pass") + count(PARTLY), count("**fail**"), count("not implemented"));
+        let (pass, fail, missing) = (count("pass") + count(PARTLY), count("**fail**"), count(NOT_IMPLEMENTED));
         let mut text = format!("{pass} quantities pass, {fail} fail, {missing} are not implemented.");
         let partly = self.partly_checked_text();
         if !partly.is_empty() {
             text += &format!(" Partly checked: {partly}.");
-        }
-        if let Some(digits) = self.quantities.iter().filter_map(|row| row.counts.digits).reduce(f64::min) {
-            text += &format!(" At least {digits:.1} correct digits.");
-        }
-        let all = self.invalid.len();
-        let states = |outcome| self.invalid.iter().filter(|row| row.verdict.outcome == outcome).count();
-        match states(InvalidOutcome::Accepted) {
-            0 => {}
-            n => text += &format!(" {n} of {all} states that must be refused got a value."),
-        }
-        match states(InvalidOutcome::Fault) {
-            0 => {}
-            n => text += &format!(" {n} of {all} states that must be refused got no answer."),
         }
         text
     }
@@ -49,33 +45,30 @@ impl Report {
     pub fn partly_checked_text(&self) -> String {
         let mut groups: BTreeMap<(usize, usize), Vec<&str>> = BTreeMap::new();
         for row in &self.partly_checked {
-            groups.entry((row.checked, row.of)).or_default().extend(row.quantity);
+            groups.entry((row.checked, row.of)).or_default().push(row.quantity);
         }
         let group = |((checked, of), quantities): (&(usize, usize), &Vec<&str>)| match &quantities[..] {
-            [] => format!("{checked} of {of} states that must be refused"),
-            [one] => format!("{checked} of {of} cases of `{one}`"),
-            [first, others @ ..] => format!("{checked} of {of} cases of `{first}` and of {} more", others.len()),
+            [first, others @ ..] if !others.is_empty() => {
+                format!("{checked} of {of} cases of `{first}` and of {} more", others.len())
+            }
+            all => format!("{checked} of {of} cases of `{}`", all.join(", ")),
         };
-        // Quantities first, then the states that must be refused.
-        let (refused, quantities): (Vec<_>, Vec<_>) = groups.iter().partition(|(_, quantities)| quantities.is_empty());
-        quantities.into_iter().chain(refused).map(group).collect::<Vec<_>>().join("; ")
+        groups.iter().map(group).collect::<Vec<_>>().join("; ")
     }
 
     fn write_markdown(&self, out: &mut String) -> std::fmt::Result {
-        writeln!(out, "## Conformance of {}\n\n{}\n", plain(&self.program.name), self.summary())?;
-        self.write_conversation(out)?;
-        self.write_silent(out)?;
-        self.write_culprits(out)?;
-        writeln!(out, "| quantity | | right / asked | digits | smallest failing case |\n|---|---|---|---|---|")?;
-        for row in &self.quantities {
-            let Counts { pass, fail, not_implemented, .. } = row.counts;
-            let counts = match (pass + fail, not_implemented) {
-                (0, _) => "–".into(),
-                (asked, 0) => format!("{pass} / {asked}"),
-                (asked, missing) => format!("{pass} / {asked} of {}", asked + missing),
-            };
+        let marks = Marks::Markdown;
+        writeln!(out, "## Conformance of {}\n", plain(&self.program.name))?;
+        writeln!(out, "{}\n", format!("**{}.** {}", self.marked_headline(marks), self.counts_text()).trim_end())?;
+        self.screen(marks).iter().try_for_each(|line| writeln!(out, "- {line}"))?;
+        self.write_others(out)?;
+        writeln!(
+            out,
+            "\n| quantity | | right / asked / in the fixture | digits | smallest failing case |\n|---|---|---|---|---|"
+        )?;
+        for row in self.asked_rows() {
             let (word, digits) = (row.counts.word(), row.counts.digits_text());
-            writeln!(out, "| {} | {word} | {counts} | {digits} | {} |", row.quantity, row.example())?;
+            writeln!(out, "| {} | {word} | {} | {digits} | {} |", row.quantity, row.counts_text(), row.example(marks))?;
         }
         writeln!(out, "\n| tag | right | wrong | not implemented | digits |\n|---|---|---|---|---|")?;
         for (tag, counts) in &self.tags {
@@ -84,11 +77,18 @@ impl Report {
             writeln!(out, "| {tag} | {pass} | {fail} | {not_implemented} | {} |", counts.digits_text())?;
         }
         self.write_invalid(out)?;
-        let versions: Vec<String> =
-            self.fixtures.iter().map(|(file, version)| format!("{} {}", plain(file), plain(version))).collect();
-        writeln!(
-            out,
-            "\nCorrect digits are −log₁₀ of the worst error, relative to the size of the terms that are added up. {} questions, {:.1} s, \
+        writeln!(out, "\n{}", self.about(marks))
+    }
+
+    /// What the numbers mean, and what they come from.
+    pub(super) fn about(&self, marks: Marks) -> String {
+        let versions: Vec<String> = self
+            .fixtures
+            .iter()
+            .map(|(file, version)| format!("{} {}", marks.plain(file), marks.plain(version)))
+            .collect();
+        format!(
+            "Correct digits are −log₁₀ of the worst error, relative to the size of the terms that are added up. {} questions, {:.1} s, \
              {} start(s). Reference values: {}.",
             self.questions,
             self.seconds,
@@ -97,82 +97,36 @@ impl Report {
         )
     }
 
-    /// Faults of the conversation itself.
-    fn write_conversation(&self, out: &mut String) -> std::fmt::Result {
-        if let Some(fault) = &self.program.no_hello {
-            writeln!(
-                out,
-                "**It did not answer hello: {}.** Nothing was asked. The program must answer each line of JSON on its standard input with \
-                 one on its standard output, the first with `{{\"hello\": {{\"name\": \"mine\"}}}}`.\n",
-                plain(fault)
-            )?;
-        }
-        if !self.program.unknown.is_empty() {
-            let unknown: Vec<String> =
-                self.program.unknown.iter().map(|id| format!("`{}`", cell(&quoted(id)))).collect();
-            writeln!(
-                out,
-                "Its hello lists names that are not asked for: {}. Use the names of the table below, letter by letter.\n",
-                unknown.join(", ")
-            )?;
-        }
-        if self.chatter.lines > 0 {
-            writeln!(
-                out,
-                "It printed {} line(s) on standard output that are not JSON, the first: `{}`. They were skipped where an answer followed; \
-                 write messages to standard error.\n",
-                self.chatter.lines,
-                cell(&self.chatter.first)
-            )?;
-        }
-        Ok(())
+    /// Rows of the quantities that were asked and are implemented.
+    pub(super) fn asked_rows(&self) -> impl Iterator<Item = &QuantityResult> {
+        let is_asked = |row: &&QuantityResult| row.counts.pass + row.counts.fail > 0 && self.program.no_hello.is_none();
+        self.quantities.iter().filter(is_asked)
     }
 
-    /// Quantities without numbers, by fault.
-    fn write_silent(&self, out: &mut String) -> std::fmt::Result {
-        let mut by_fault: BTreeMap<Vec<&str>, Vec<&QuantityResult>> = BTreeMap::new();
-        for row in self.quantities.iter().filter(|row| self.silent.contains(&row.quantity)) {
-            by_fault.entry(row.fault_words.iter().copied().collect()).or_default().push(row);
-        }
-        let implemented = self.quantities.iter().filter(|row| row.counts.pass + row.counts.fail > 0).count();
-        for (faults, rows) in by_fault {
-            let names = rows.iter().map(|row| format!("`{}`", row.quantity)).collect::<Vec<_>>().join(", ");
-            let (of, pronoun) = match rows.len() {
-                1 => (names, "its equation is"),
-                n if n == implemented => (format!("any of {n} quantities"), "their equations are"),
-                _ => (format!("any of {names}"), "their equations are"),
-            };
-            let example = rows.first().map(|row| row.example()).unwrap_or_default();
-            writeln!(
-                out,
-                "**It answers no numbers for {of}: {}.** The first: {example}. Whether {pronoun} wrong is unknown.\n",
-                faults.join(", ")
-            )?;
-        }
-        Ok(())
-    }
-
-    fn write_culprits(&self, out: &mut String) -> std::fmt::Result {
+    /// Wrong quantities behind the first: each with its diagnosis, then those that follow from others.
+    fn write_others(&self, out: &mut String) -> std::fmt::Result {
         let first_wrong = self.first_wrong.as_ref().map(|culprit| culprit.blame.quantity);
         for culprit in self.culprits.iter().filter(|culprit| culprit.same_as.is_none()) {
-            let which = match culprit.blame.numbers {
-                true if first_wrong == Some(culprit.blame.quantity) => "First wrong equation",
-                true => "Also wrong by itself",
-                false => "No wrong number, but none in some cases",
-            };
-            let because = capitalised(&culprit.blame.because);
-            writeln!(out, "**{which}: ({}), `{}`.** {because}.", culprit.equation, culprit.blame.quantity)?;
-            writeln!(out, "{}", diagnosis_text(&culprit.diagnosis))?;
             let mut same: BTreeMap<&str, Vec<String>> = BTreeMap::new();
             for other in self.culprits.iter().filter(|other| other.same_as == Some(culprit.blame.quantity)) {
                 if let Some(mistake) = culprit.shared_mistake(other) {
                     same.entry(&mistake.what).or_default().push(format!("`{}`", other.blame.quantity));
                 }
             }
+            let is_first = Some(culprit.blame.quantity) == first_wrong;
+            if !is_first {
+                writeln!(out, "\n{}", self.culprit_line(culprit, Marks::Markdown))?;
+                writeln!(out, "{}", diagnosis_text(&culprit.diagnosis))?;
+                ancestor_lines(&culprit.ancestors, Marks::Markdown)
+                    .iter()
+                    .try_for_each(|line| writeln!(out, "{line}"))?;
+                writeln!(out, "Look at: {}.", culprit.look_at)?;
+            } else if !same.is_empty() {
+                writeln!(out)?;
+            }
             for (what, others) in same {
                 writeln!(out, "Also in {}: {}. One cause if they share a function.", others.join(", "), cell(what))?;
             }
-            writeln!(out)?;
         }
         let mut by_input: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
         for follower in &self.follow {
@@ -181,7 +135,7 @@ impl Report {
         let follow: Vec<String> =
             by_input.iter().map(|(input, followers)| format!("{} from {input}", followers.join(", "))).collect();
         if !follow.is_empty() {
-            writeln!(out, "Wrong, but so are their inputs: {}.\n", follow.join("; "))?;
+            writeln!(out, "\nWrong, but so are their inputs: {}.", follow.join("; "))?;
         }
         Ok(())
     }
@@ -204,87 +158,30 @@ impl Report {
 }
 
 impl Counts {
-    fn word(&self) -> &'static str {
+    pub(super) fn word(&self) -> &'static str {
         match (self.fail, self.pass, self.not_implemented) {
             (1.., ..) => "**fail**",
             (0, 1.., 0) => "pass",
             (0, 1.., 1..) => PARTLY,
-            (0, 0, _) => "not implemented",
+            (0, 0, 1..) => NOT_IMPLEMENTED,
+            (0, 0, 0) => "not asked",
         }
     }
 
-    fn digits_text(&self) -> String {
+    pub(super) fn digits_text(&self) -> String {
         self.digits.map_or("–".into(), |digits| format!("{digits:.1}"))
     }
 }
 
 impl QuantityResult {
-    /// The smallest failing case; empty if none fails.
-    fn example(&self) -> String {
-        let text = |FailingCase { case, failure, .. }: &FailingCase| match failure {
-            Failure::Wrong { answered, expected, .. } => {
-                format!("`{}`: {answered:e}, expected {expected:e}", cell(case))
-            }
-            Failure::Fault { fault } => format!("`{}`: {}", cell(case), plain(fault)),
-        };
-        self.smallest_failing.as_ref().map(text).unwrap_or_default()
+    /// Right, asked, and in the fixture.
+    pub(super) fn counts_text(&self) -> String {
+        let Counts { pass, fail, .. } = self.counts;
+        format!("{pass} / {} / {}", pass + fail, self.in_fixture)
     }
-}
-
-/// A diagnosis in sentences.
-fn diagnosis_text(diagnosis: &Diagnosis) -> String {
-    let mut sentences = Vec::new();
-    let Diagnosis { failing, without_numbers, .. } = diagnosis;
-    let silent: usize = without_numbers.values().sum();
-    let faults = without_numbers.iter().map(|(word, n)| format!("{word} in {n}")).collect::<Vec<_>>().join(", ");
-    if silent > 0 && silent == *failing {
-        sentences.push(format!("It answers no numbers in any of {silent} failing case(s): {faults}."));
-    } else if silent > 0 {
-        sentences.push(format!("It answers no numbers in {silent} of {failing} failing cases: {faults}."));
-    }
-    let mistakes: Vec<String> = (diagnosis.mistakes.iter())
-        .map(|mistake| format!("{} ({})", mistake.kind.word(), cell(&mistake.what)))
-        .collect();
-    if !mistakes.is_empty() {
-        sentences.push(format!("Explained by: {}.", mistakes.join("; or ")));
-    } else if silent < *failing {
-        sentences.push("No known mistake gives these answers.".into());
-    }
-    if !diagnosis.entries.is_empty() {
-        sentences.push(format!("Wrong entries: {}.", diagnosis.entries.join(", ")));
-    }
-    if !diagnosis.only_where.is_empty() {
-        sentences.push(format!("Only in states tagged {}.", diagnosis.only_where.join(", ")));
-    }
-    sentences.join(" ")
 }
 
 /// Word for a quantity that passes where it was checked.
 const PARTLY: &str = "**partly checked**";
-
-/// Text that stays within a cell of a table, or within a span of code there. Neither a terminal nor a browser obeys it.
-fn cell(text: &str) -> String {
-    let is_command = |c: char| {
-        c.is_control() || matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-    };
-    text.replace('|', "\\|").replace('`', "'").replace(is_command, " ")
-}
-
-/// Text outside of a span of code, where HTML and links have a meaning, too.
-fn plain(text: &str) -> String {
-    cell(text).replace('&', "&amp;").replace('<', "&lt;").replace('[', "\\[")
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn a_name_stays_in_its_cell_and_line() {
-        assert_eq!(super::cell("a|b\n# `c`"), "a\\|b # 'c'");
-        assert_eq!(super::plain("\u{1b}[2J<img src=x>\u{202e}&"), " \\[2J&lt;img src=x> &amp;");
-    }
-}
+/// Word for a quantity without any answer.
+const NOT_IMPLEMENTED: &str = "not implemented";

@@ -6,16 +6,20 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::blame::{self, Blame, Follower};
-use crate::diagnosis::{Diagnosis, Mistake};
+use crate::convention::Convention;
+use crate::diagnosis::{Ancestor, Diagnosis, Invisible, Mistake};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
+use crate::formula::formula;
 use crate::graph::equation;
+use crate::memory::Memory;
 use crate::protocol::Hello;
 use crate::subject::Chatter;
 use crate::suite::{InvalidCase, Suite};
+use crate::trouble::Remark;
 use crate::verdict::{Fault, Verdict};
 
 /// Name and version of the report's format.
-const SCHEMA: &str = "ancf-conformance/1";
+const SCHEMA: &str = "ancf-conformance/2";
 /// Largest number of faults that are listed for a quantity.
 const MOST_FAULTS: usize = 3;
 /// Mistake of a program that answers zero everywhere. It does not show a common cause.
@@ -40,12 +44,33 @@ pub struct Report {
     pub fixtures: BTreeMap<String, String>,
     /// The program under test.
     pub program: Program,
+    /// Conventions in which the program differs from the fixtures. They are not mistakes: its answers were translated.
+    pub conventions: Vec<Convention>,
+    /// What is wrong with the conventions in its hello, in words.
+    pub convention_errors: Vec<String>,
     /// Lines on its standard output that are not JSON objects.
     pub chatter: Chatter,
-    /// Whether no answer failed, every invalid state that was asked for was refused, and something is implemented.
+    /// What it can attain, at which its answers are judged.
+    pub precision: PrecisionResult,
+    /// What was wrong with the form of its answers.
+    pub remarks: Vec<Remark>,
+    /// What the examination came to.
+    pub verdict: Conclusion,
+    /// Whether no answer failed, had fewer digits than demanded, or changed when asked for again, and something is implemented. Invalid
+    /// states are judged under `refusal`.
     pub passes: bool,
+    /// Evidence that answers depend on what was asked before; null if none was found. No equation is blamed for a quantity in it.
+    pub memory: Option<Memory>,
+    /// Quantities for which it does not read any value that it is given, although it says that it does.
+    pub given_ignored: Vec<&'static str>,
+    /// Whether a part was asked, as the user chose.
+    pub asked_in_part: bool,
+    /// Whether it refuses invalid states.
+    pub refusal: Refusal,
     /// Quantities that it answers in some cases and says it does not implement in others.
     pub partly_checked: Vec<PartlyChecked>,
+    /// Tags of which it leaves out every state, in all quantities that it implements; those that leave out the most states first.
+    pub left_out: Vec<String>,
     /// The culprit to look at first; null if there is none.
     pub first_wrong: Option<CulpritResult>,
     /// Quantities that are wrong although their inputs are right, inputs before the quantities that use them.
@@ -68,12 +93,56 @@ pub struct Report {
     pub seconds: f64,
 }
 
+/// What an examination came to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Conclusion {
+    /// Every answer is right.
+    Right,
+    /// Every answer is right, but quantities that it implements were left out in some states.
+    PartlyChecked,
+    /// Some answers are wrong, or missing for another reason than `not_implemented`.
+    Wrong,
+    /// It did not answer hello, and nothing was asked.
+    NoAnswer,
+    /// It implements nothing of what was asked.
+    NothingChecked,
+}
+
+/// Whether a program refuses the states that must be refused. This is a verdict of its own: right equations stay right.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct Refusal {
+    /// What it comes to.
+    pub verdict: RefusalVerdict,
+    /// Number of states that it refused.
+    pub refused: usize,
+    /// Number of states that it answered with a value.
+    pub accepted: usize,
+    /// Number of states at which it hung, crashed or wrote something else in place of an answer.
+    pub no_answer: usize,
+    /// Number of states.
+    pub of: usize,
+}
+
+/// What the refusals of a program come to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RefusalVerdict {
+    /// It refused every state that was asked.
+    Acceptable,
+    /// It should refuse more.
+    ShouldRefuse,
+    /// It was asked none.
+    NotAsked,
+}
+
 /// A quantity of which only a part was checked.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub struct PartlyChecked {
-    /// Name of the quantity; null for the states that must be refused.
-    pub quantity: Option<&'static str>,
+    /// Name of the quantity.
+    pub quantity: &'static str,
     /// Number of cases with an answer.
     pub checked: usize,
     /// Number of cases.
@@ -94,6 +163,70 @@ pub struct Program {
     pub unknown: Vec<String>,
 }
 
+/// Precision of a program's answers.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct PrecisionResult {
+    /// The precision in words, such as "single precision" or "six significant digits printed".
+    pub kind: String,
+    /// Whether the size of the errors shows it; otherwise all numbers have the form.
+    pub by_errors: bool,
+    /// Quantities with answers of another precision.
+    pub others: Vec<OtherPrecision>,
+    /// Correct digits of the worst right answer, at most 16; null without right answers.
+    #[schemars(range(min = 0, max = 16))]
+    pub least_digits: Option<f64>,
+    /// Median of the correct digits of right answers, at most 16; null without right answers.
+    #[schemars(range(min = 0, max = 16))]
+    pub median_digits: Option<f64>,
+    /// Case in which the least digits can be attained; null in double precision.
+    pub least_attainable: Option<LeastAttainable>,
+    /// Mistakes that would be seen in double precision, but not in these answers.
+    pub invisible: Vec<Invisible>,
+    /// Digits that every answer must have; null if none are demanded.
+    pub demanded: Option<u8>,
+    /// Quantities that have fewer digits than demanded.
+    pub fewer: Vec<FewerDigits>,
+}
+
+/// Quantities whose answers have another precision than most.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct OtherPrecision {
+    /// Their precision in words.
+    pub kind: String,
+    /// Names of the quantities.
+    pub quantities: Vec<&'static str>,
+}
+
+/// Case in which a program can attain the least digits.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct LeastAttainable {
+    /// Name of the quantity.
+    pub quantity: &'static str,
+    /// Name of the case.
+    pub case: String,
+    /// Digits of the tolerance, relative to the size of the terms that are added up.
+    #[schemars(range(min = 0, max = 16))]
+    pub digits: f64,
+    /// What takes the other digits.
+    pub because: &'static str,
+}
+
+/// A quantity that has fewer digits than demanded.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub struct FewerDigits {
+    /// Name of the quantity.
+    pub quantity: &'static str,
+    /// Name of the case with the fewest digits.
+    pub case: String,
+    /// Correct digits in this case.
+    #[schemars(range(min = 0, max = 16))]
+    pub digits: f64,
+}
+
 /// A quantity that is wrong although its inputs are right.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[schemars(deny_unknown_fields)]
@@ -106,6 +239,11 @@ pub struct CulpritResult {
     /// The mistakes that explain it.
     #[serde(flatten)]
     pub diagnosis: Diagnosis,
+    /// Earlier quantities that are not answered and that the mistake may be in, likeliest first. If there are any, whether the quantity
+    /// itself is wrong is unknown.
+    pub ancestors: Vec<Ancestor>,
+    /// Its formula, and where the paper prints another one.
+    pub look_at: &'static str,
     /// Earlier culprit that shows the same mistake; null if there is none.
     pub same_as: Option<&'static str>,
 }
@@ -135,6 +273,8 @@ pub struct QuantityResult {
     /// Counts of its cases.
     #[serde(flatten)]
     pub counts: Counts,
+    /// Number of cases with a value in the fixtures, asked or not.
+    pub in_fixture: usize,
     /// Names of the failing cases.
     pub failing: Vec<String>,
     /// The failing case with the fewest tags; null if none fails.
@@ -167,6 +307,8 @@ pub enum Failure {
     Wrong {
         /// Index of the worst entry, row by row through all nested lists, counted from 0.
         entry: usize,
+        /// Place of the worst entry in the nested lists, outer list first, counted from 0; empty for a number.
+        index: Vec<usize>,
         /// Answer in the worst entry, in the quantity's unit.
         answered: f64,
         /// Reference value of the worst entry, in the quantity's unit.
@@ -207,8 +349,9 @@ pub struct InvalidResult {
 impl Report {
     /// Writes the report on an examination with the questions of `suite`.
     pub fn new(suite: &Suite, examination: &Examination) -> Report {
-        let culprits = culprits(&examination.blame, &examination.diagnoses);
+        let culprits = culprits(&examination.blame, &examination.diagnoses, &examination.ancestors);
         let hello = examination.hello.as_ref();
+        let partly_checked = partly_checked(examination);
         Report {
             schema: SCHEMA,
             run: String::new(),
@@ -220,9 +363,19 @@ impl Report {
                 no_hello: hello.err().map(ToString::to_string),
                 unknown: hello.into_iter().flat_map(Hello::unknown).map(String::from).collect(),
             },
+            conventions: examination.conventions.clone(),
+            convention_errors: examination.convention_errors.clone(),
             chatter: examination.chatter.clone(),
+            precision: PrecisionResult::new(examination),
+            remarks: examination.remarks.clone(),
+            verdict: Conclusion::of(examination, &partly_checked),
             passes: examination.passes(),
-            partly_checked: partly_checked(suite, examination),
+            memory: examination.memory.clone(),
+            given_ignored: examination.given_ignored.clone(),
+            asked_in_part: examination.in_part,
+            refusal: Refusal::of(examination),
+            partly_checked,
+            left_out: left_out(suite, examination),
             first_wrong: culprits.iter().find(|culprit| culprit.blame.numbers).or(culprits.first()).cloned(),
             culprits,
             silent: examination.blame.silent.clone(),
@@ -239,35 +392,146 @@ impl Report {
     }
 }
 
-/// Quantities that are implemented in some cases only, and the invalid states of implemented quantities if some of them are.
-fn partly_checked(suite: &Suite, examination: &Examination) -> Vec<PartlyChecked> {
-    let checked =
-        |cases: &[CaseVerdict]| cases.iter().filter(|(_, verdict)| *verdict != Verdict::NotImplemented).count();
-    let is_implemented =
-        |quantity: &str| examination.verdicts.iter().any(|(name, cases)| *name == quantity && checked(cases) > 0);
+impl Report {
+    /// Demands a number of correct digits of every answer that has numbers. The program fails if one has fewer.
+    pub fn demand(&mut self, suite: &Suite, examination: &Examination, digits: u8) {
+        let fewer = examination.verdicts.iter().filter_map(|(quantity, cases)| {
+            let with_digits = cases.iter().filter_map(|(n, verdict)| Some((*n, verdict.digits()?)));
+            let (n, least) = with_digits.min_by(|a, b| a.1.total_cmp(&b.1))?;
+            let case = suite.cases.get(n)?.id.clone();
+            (least < f64::from(digits)).then(|| FewerDigits { quantity, case, digits: rounded_down(least) })
+        });
+        self.precision.demanded = Some(digits);
+        self.precision.fewer = fewer.collect();
+        if !self.precision.fewer.is_empty() {
+            self.passes = false;
+            self.verdict = Conclusion::Wrong;
+        }
+    }
+}
+
+impl PrecisionResult {
+    fn new(examination: &Examination) -> PrecisionResult {
+        let precision = &examination.precision;
+        let right = examination.verdicts.iter().flat_map(|(_, cases)| cases).filter(|(_, verdict)| verdict.passes());
+        let mut digits: Vec<f64> = right.filter_map(|(_, verdict)| verdict.digits()).collect();
+        digits.sort_by(f64::total_cmp);
+        let mut others: BTreeMap<_, Vec<&'static str>> = BTreeMap::new();
+        for (quantity, form) in &precision.others {
+            others.entry(*form).or_default().push(quantity);
+        }
+        let others = others.into_iter().map(|(form, quantities)| OtherPrecision { kind: form.words(), quantities });
+        PrecisionResult {
+            kind: precision.form.words(),
+            by_errors: precision.by_errors,
+            others: others.collect(),
+            least_digits: digits.first().copied().map(rounded),
+            median_digits: digits.get(digits.len() / 2).copied().map(rounded),
+            least_attainable: precision.least.as_ref().map(|least| LeastAttainable {
+                quantity: least.quantity,
+                case: least.case.clone(),
+                digits: rounded(least.digits),
+                because: least.because,
+            }),
+            invisible: examination.invisible.clone(),
+            demanded: None,
+            fewer: Vec::new(),
+        }
+    }
+}
+
+impl Conclusion {
+    fn of(examination: &Examination, partly_checked: &[PartlyChecked]) -> Conclusion {
+        let asked = examination.implemented() > 0
+            || examination.invalid.iter().any(|verdict| verdict.outcome != InvalidOutcome::NotImplemented);
+        match examination.passes() {
+            _ if examination.hello.is_err() => Conclusion::NoAnswer,
+            _ if !asked => Conclusion::NothingChecked,
+            false => Conclusion::Wrong,
+            true if partly_checked.is_empty() => Conclusion::Right,
+            true => Conclusion::PartlyChecked,
+        }
+    }
+}
+
+impl Refusal {
+    fn of(examination: &Examination) -> Refusal {
+        let count = |wanted| examination.invalid.iter().filter(|verdict| verdict.outcome == wanted).count();
+        let (refused, accepted, no_answer) =
+            (count(InvalidOutcome::Refused), count(InvalidOutcome::Accepted), count(InvalidOutcome::Fault));
+        let verdict = match (refused, accepted + no_answer) {
+            _ if examination.hello.is_err() => RefusalVerdict::NotAsked,
+            (0, 0) => RefusalVerdict::NotAsked,
+            (_, 0) => RefusalVerdict::Acceptable,
+            (_, _) => RefusalVerdict::ShouldRefuse,
+        };
+        Refusal { verdict, refused, accepted, no_answer, of: examination.invalid.len() }
+    }
+}
+
+/// Number of cases that a program implements.
+fn implemented(cases: &[CaseVerdict]) -> usize {
+    cases.iter().filter(|(_, verdict)| *verdict != Verdict::NotImplemented).count()
+}
+
+/// Quantities that are implemented in some cases only. A quantity without any answer is not implemented, which is said elsewhere.
+fn partly_checked(examination: &Examination) -> Vec<PartlyChecked> {
     let quantities = examination.verdicts.iter().map(|(quantity, cases)| PartlyChecked {
-        quantity: Some(quantity),
-        checked: checked(cases),
+        quantity,
+        checked: implemented(cases),
         of: cases.len(),
     });
-    let invalid: Vec<bool> = (suite.invalid.iter().zip(&examination.invalid))
-        .filter(|(case, _)| is_implemented(&case.equation))
-        .map(|(_, verdict)| verdict.outcome != InvalidOutcome::NotImplemented)
-        .collect();
-    let refused =
-        PartlyChecked { quantity: None, checked: invalid.iter().filter(|asked| **asked).count(), of: invalid.len() };
-    // A quantity without any answer is not implemented, which is said elsewhere.
-    let quantities = quantities.filter(|row| row.checked > 0).chain([refused]);
-    quantities.filter(|row| row.checked < row.of).collect()
+    quantities.filter(|row| 0 < row.checked && row.checked < row.of).collect()
+}
+
+/// Tags of which every state is left out. If the states of one tag are all that is left out, it is the only one.
+fn left_out(suite: &Suite, examination: &Examination) -> Vec<String> {
+    let (mut left, mut answered) = (BTreeSet::new(), BTreeSet::new());
+    for (_, cases) in examination.verdicts.iter().filter(|(_, cases)| implemented(cases) > 0) {
+        for (n, verdict) in cases {
+            if *verdict == Verdict::NotImplemented {
+                left.insert(*n)
+            } else {
+                answered.insert(*n)
+            };
+        }
+    }
+    left.retain(|n| !answered.contains(n));
+    let mut by_tag: BTreeMap<&str, BTreeSet<usize>> = BTreeMap::new();
+    for n in &left {
+        for tag in suite.cases.get(*n).iter().flat_map(|case| &case.tags) {
+            by_tag.entry(tag).or_default().insert(*n);
+        }
+    }
+    by_tag.retain(|tag, _| {
+        !answered.iter().any(|n| suite.cases.get(*n).is_some_and(|case| case.tags.iter().any(|t| t == tag)))
+    });
+    if let Some((tag, _)) = by_tag.iter().find(|(_, cases)| **cases == left) {
+        return vec![(*tag).to_string()];
+    }
+    let mut tags: Vec<_> = by_tag.into_iter().collect();
+    tags.sort_by_key(|(_, cases)| std::cmp::Reverse(cases.len()));
+    tags.into_iter().map(|(tag, _)| tag.to_string()).collect()
 }
 
 /// Culprits with their diagnoses. One that shows the mistake of an earlier culprit refers to it.
-fn culprits(blame: &Blame, diagnoses: &BTreeMap<&str, Diagnosis>) -> Vec<CulpritResult> {
+fn culprits(
+    blame: &Blame,
+    diagnoses: &BTreeMap<&str, Diagnosis>,
+    ancestors: &BTreeMap<&str, Vec<Ancestor>>,
+) -> Vec<CulpritResult> {
     let mut culprits: Vec<CulpritResult> = Vec::new();
     for culprit in &blame.culprits {
         let diagnosis = diagnoses.get(culprit.quantity).cloned().unwrap_or_default();
         let equation = equation(culprit.quantity);
-        let mut own = CulpritResult { blame: culprit.clone(), equation, diagnosis, same_as: None };
+        let mut own = CulpritResult {
+            blame: culprit.clone(),
+            equation,
+            diagnosis,
+            ancestors: ancestors.get(culprit.quantity).cloned().unwrap_or_default(),
+            look_at: formula(culprit.quantity),
+            same_as: None,
+        };
         let same = culprits.iter().find(|other| other.same_as.is_none() && other.shared_mistake(&own).is_some());
         own.same_as = same.map(|other| other.blame.quantity);
         culprits.push(own);
@@ -298,6 +562,11 @@ impl Counts {
 /// Digits to one decimal; adding zero turns −0 into 0.
 fn rounded(digits: f64) -> f64 {
     (digits * 10.0).round() / 10.0 + 0.0
+}
+
+/// Digits to one decimal, never more than there are.
+fn rounded_down(digits: f64) -> f64 {
+    (digits * 10.0).floor() / 10.0
 }
 
 fn counts_by_tag(suite: &Suite, examination: &Examination) -> BTreeMap<String, Counts> {
@@ -336,9 +605,10 @@ impl QuantityResult {
             quantity,
             equation: equation(quantity),
             counts,
+            in_fixture: suite.cases.iter().filter(|case| case.values.contains_key(quantity)).count(),
             failing: failing.map(|case| case.id.clone()).collect(),
             smallest_failing: smallest_failing(suite, cases)
-                .and_then(|(n, verdict)| FailingCase::new(suite, *n, verdict)),
+                .and_then(|(n, verdict)| FailingCase::new(suite, quantity, *n, verdict)),
             faults,
             fault_words: fault_words(cases),
         }
@@ -366,11 +636,12 @@ fn fault_words(cases: &[CaseVerdict]) -> BTreeSet<&'static str> {
 }
 
 impl FailingCase {
-    fn new(suite: &Suite, n: usize, verdict: &Verdict) -> Option<FailingCase> {
+    fn new(suite: &Suite, quantity: &str, n: usize, verdict: &Verdict) -> Option<FailingCase> {
         let case = suite.cases.get(n)?;
         let failure = match verdict {
             Verdict::Wrong(wrong) => Failure::Wrong {
                 entry: wrong.entry,
+                index: index(wrong.entry, &case.values.get(quantity)?.shape),
                 answered: wrong.answered,
                 expected: wrong.expected,
                 digits: rounded(wrong.digits),
@@ -382,10 +653,33 @@ impl FailingCase {
     }
 }
 
+/// Place of an entry in nested lists of a shape.
+fn index(entry: usize, shape: &[usize]) -> Vec<usize> {
+    let mut left = entry;
+    let mut index: Vec<usize> = shape
+        .iter()
+        .rev()
+        .map(|length| {
+            let place = left % length;
+            left /= length;
+            place
+        })
+        .collect();
+    index.reverse();
+    index
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::diagnosis::MistakeKind;
+
+    #[test]
+    fn the_index_of_an_entry_is_that_of_nested_lists() {
+        assert!(index(0, &[]).is_empty());
+        assert_eq!(index(17, &[2, 3, 4]), [1, 1, 1]);
+        assert_eq!(index(23, &[2, 3, 4]), [1, 2, 3]);
+    }
 
     #[test]
     fn a_case_that_was_not_asked_is_not_the_smallest() {
@@ -418,7 +712,8 @@ mod tests {
         };
         let blame = Blame { culprits: shown.map(|(quantity, _)| blamed(quantity)).into(), ..Blame::default() };
         let diagnoses = shown.map(|(quantity, mistakes)| (quantity, diagnosis(mistakes))).into();
-        let same: Vec<_> = culprits(&blame, &diagnoses).iter().map(|culprit| culprit.same_as).collect();
+        let same: Vec<_> =
+            culprits(&blame, &diagnoses, &BTreeMap::new()).iter().map(|culprit| culprit.same_as).collect();
         assert_eq!(same, [None, Some("21.S_a1"), None, None, Some("21.S_c1")]);
     }
 }
