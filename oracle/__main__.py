@@ -88,6 +88,8 @@ def main():
                 verb = "differs" if found else "agrees"
                 note = ", the part that a check derives" if partly and hasattr(module, "check") else ""
             else:
+                if hasattr(module, "keep"):
+                    fresh = module.keep(fixture.read(module.FILE), fresh)
                 size = module.write(fresh) if name in PAGES else fixture.write(module.FILE, fresh)
                 verb, note = "written", f", {size} bytes"
             place = module.NAME if name in PAGES else f"fixtures/{module.FILE}"

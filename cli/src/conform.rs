@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use ancf_conform::report::{RefusalVerdict, junit};
+use ancf_conform::trajectory::{Request, compare};
 use ancf_conform::{Examination, Options, Program, Recorded, Recorder, Report, Selection, Suite, examine};
 use ancf_study::error::Error as StudyError;
 use ancf_study::files::{Files, written_lines};
@@ -57,10 +58,27 @@ pub struct Arguments {
     answers: Vec<PathBuf>,
     #[command(flatten)]
     out: Out,
+    #[command(flatten)]
+    motion: MotionOptions,
     /// The program and its arguments; it answers lines of JSON with lines of JSON (fixtures/PROTOCOL.md).
-    #[arg(last = true, required_unless_present_any = ["questions", "answers"], conflicts_with_all = ["questions", "answers"])]
+    #[arg(last = true, required_unless_present_any = ["questions", "answers", "trajectory"], conflicts_with_all = ["questions", "answers"])]
     #[arg(value_name = "COMMAND")]
     command: Vec<String>,
+}
+
+/// A motion in place of a program.
+#[derive(clap::Args)]
+#[command(next_help_heading = "A motion in place of a program")]
+struct MotionOptions {
+    /// Motion that a program wrote, CSV or JSON, to compare with one of the fixtures; a second file with another step shows the order.
+    #[arg(long, value_name = "FILE", num_args = 1..=2, requires = "scene", conflicts_with = "command")]
+    trajectory: Vec<PathBuf>,
+    /// Name of that motion; an unknown name lists all.
+    #[arg(long, value_name = "ID", requires = "trajectory")]
+    scene: Option<String>,
+    /// Steps of the files, s, where they do not say so themselves.
+    #[arg(long, value_name = "A,B", value_delimiter = ',', requires = "trajectory")]
+    steps: Vec<f64>,
 }
 
 /// Formats of the report on standard output.
@@ -92,6 +110,10 @@ const LONG: Duration = Duration::from_secs(5);
 
 /// `ancf conform`.
 pub fn conform(arguments: &Arguments) -> Result<()> {
+    if let MotionOptions { trajectory, scene: Some(scene), steps } = &arguments.motion {
+        let request = Request { files: trajectory.clone(), scene: scene.clone(), steps: steps.clone() };
+        return compare_motion(&request, &arguments.out.folder);
+    }
     let suite = arguments.fixtures.as_deref().map_or_else(Suite::embedded, Suite::load)?;
     let options =
         Options { given: !arguments.no_given, asked: Selection::new(&suite, &arguments.only, &arguments.state)? };
@@ -155,6 +177,22 @@ fn judge(suite: &Suite, options: Options, arguments: &Arguments) -> Result<()> {
         Format::Junit => print_data(&junit(suite, &examination, &report, arguments.must_refuse))?,
     }
     outcome(&report, arguments)
+}
+
+/// `ancf conform --trajectory`.
+fn compare_motion(request: &Request, folder: &Path) -> Result<()> {
+    let read: Vec<&Path> = request.files.iter().map(PathBuf::as_path).collect();
+    let mut files = Files::in_folder(folder, FILES, &read)?;
+    let mut outcome = compare(request)?;
+    let text = outcome.markdown();
+    files.identify(serde_json::to_value(&outcome).unwrap_or_default().to_string().as_bytes());
+    outcome.run = files.run_id();
+    let json = serde_json::to_value(&outcome).unwrap_or_default();
+    files.write("conformance.json", |file| Ok(serde_json::to_writer_pretty(file, &json)?))?;
+    files.write_text("conformance.md", text.clone())?;
+    let paths = files.publish()?;
+    print(&format!("{text}\n{}", written_lines(&paths)))?;
+    if outcome.passes() { Ok(()) } else { Err(Error::OtherMotion { summary: outcome.summary }) }
 }
 
 /// The error that a report comes to, for the exit code.

@@ -43,6 +43,12 @@ pub enum Error {
         /// Number of states that were not refused.
         states: usize,
     },
+    /// A motion under test differs from that of the fixtures.
+    #[error("the motion does not conform: {summary}")]
+    OtherMotion {
+        /// The verdict in a sentence.
+        summary: String,
+    },
     /// A program under test is wrong somewhere.
     #[error("the program does not conform: {summary}")]
     NotConforming {
@@ -59,7 +65,7 @@ impl Error {
             Error::Study(error) => error.is_bad_input(),
             Error::Unwritten { error, .. } => error.is_bad_input(),
             Error::Conform(_) => true,
-            Error::NotConforming { .. } | Error::NotRefusing { .. } => false,
+            Error::NotConforming { .. } | Error::NotRefusing { .. } | Error::OtherMotion { .. } => false,
             Error::PartlyChecked { .. } => return 3,
         };
         if is_bad_input { 2 } else { 1 }

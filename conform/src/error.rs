@@ -35,6 +35,28 @@ pub enum Error {
         /// Reason that the system gives.
         source: std::io::Error,
     },
+    /// A motion's file is malformed.
+    #[error("{file}: {place}: {value}; allowed: {allowed}")]
+    Motion {
+        /// Name of the file.
+        file: String,
+        /// Line and column, or key.
+        place: String,
+        /// What stands there.
+        value: String,
+        /// What may.
+        allowed: String,
+    },
+    /// No motion of the fixtures has a name.
+    #[error("--scene {id}: there is no such motion{nearest}; allowed are{known}")]
+    NoMotion {
+        /// Name that was given.
+        id: String,
+        /// Nearest known name as a phrase; empty if none is near.
+        nearest: String,
+        /// All names, a line each, with what they are.
+        known: String,
+    },
     /// Numbers of a state lead out of the range of f64.
     #[error(
         "{name}: numbers of the state are too large or too small to compute with: these leave the range of numbers, up to 1.8e308: \

@@ -357,7 +357,7 @@ impl<'a> Examiner<'a> {
     ) -> Result<Answer, Fault> {
         let suite = self.suite;
         let Some(case) = suite.cases.get(n) else { return Ok(Answer::NotImplemented) };
-        let mut theirs = conventions.all_given(case, given);
+        let mut theirs = conventions.all_given(case, quantity, given);
         if let Some((_, value)) = theirs.iter_mut().find(|(name, _)| Some(*name) == altered) {
             *value = scaled(value);
         }

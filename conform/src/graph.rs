@@ -22,8 +22,13 @@ const fn node(quantity: &'static str, given: &'static [&'static str], inner: &'s
     Node { quantity, given, inner }
 }
 
-/// Assembled terms of a structure; they are sent with every question about (23).
+/// Assembled terms of a structure. They are asked for where the case has a scene, and sent with every other question about (23).
 pub const TERMS_OF_23: &[&str] = &["23.m", "23.Q_e", "23.f", "23.Phi_q"];
+
+/// Whether a quantity can be computed only from the scene of a structure.
+pub fn needs_a_scene(quantity: &str) -> bool {
+    quantity == "23.Phi" || TERMS_OF_23.contains(&quantity)
+}
 
 const GRADIENTS: &[&str] = &["3.S_x", "3.S_y"];
 const METRICS: &[&str] = &["3.S_x", "3.S_y", "9.J_0"];
@@ -75,6 +80,11 @@ pub const GRAPH: &[Node] = &[
     node("gravity.Q_w", &[], &["2.S"]),
     node("22.residual", MOTION, &[]),
     node("22.eddot", MOTION, &[]),
+    node("23.m", &[], &["7.M"]),
+    node("23.Q_e", &[], &["19.Q_e"]),
+    node("23.f", &[], &["gravity.Q_w"]),
+    node("23.Phi", &[], &[]),
+    node("23.Phi_q", &[], &[]),
     node("23.constraint_force", &[], &[]),
     node("23.residual", &["23.constraint_force"], &[]),
     node("23.acceleration", &[], &[]),

@@ -27,7 +27,7 @@
 // Layers, from top to bottom; a module imports only from modules further down this list:
 // schema, report, examiner, given, examination, diagnosis, blame, memory, convention, lost_digits, precision, answers, formula;
 // recorded, program, subject, process, lines; protocol, spelling, trouble; selection, equations_text, state_file; verdict, suite,
-// numbers, graph, error.
+// numbers, graph, error. `trajectory` stands beside them: of this crate it imports error alone.
 mod answers;
 mod blame;
 mod convention;
@@ -55,6 +55,7 @@ mod spelling;
 mod state_file;
 mod subject;
 mod suite;
+pub mod trajectory;
 mod trouble;
 mod verdict;
 

@@ -220,7 +220,7 @@ impl<'a> Repetition<'a> {
         self.questions += 1;
         let id = format!("again-{}", self.questions);
         let rewritten = conventions.state(&case.state_json);
-        let theirs = conventions.all_given(case, &[]);
+        let theirs = conventions.all_given(case, equation, &[]);
         let given = theirs.iter().map(|(name, value)| (*name, value)).collect();
         let state = rewritten.as_ref().unwrap_or(&case.state_json);
         let answer = self.subject.ask(&Asked { equation, given, id: &id, state });

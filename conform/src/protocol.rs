@@ -49,8 +49,8 @@ pub enum Question<'a> {
 pub struct Asked<'a> {
     /// Name of the quantity that is asked for, such as 21.K_1.
     pub equation: &'a str,
-    /// Reference values of other quantities, by name, each in its SI unit. For (23) always those of 23.m, 23.Q_e, 23.f and 23.Phi_q.
-    /// Otherwise the inputs of a quantity that failed before, if the program accepts them.
+    /// Reference values of other quantities, by name, each in its SI unit. For (23) those of 23.m, 23.Q_e, 23.f and 23.Phi_q, but where
+    /// one of these or 23.Phi is asked for. Otherwise the inputs of a quantity that failed before, if the program accepts them.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     #[schemars(with = "BTreeMap<String, Numbers>")]
     pub given: BTreeMap<&'a str, &'a Value>,
@@ -58,8 +58,8 @@ pub struct Asked<'a> {
     /// 21.K_1/rest-vertical, and more behind them where the same is asked again.
     #[schemars(length(min = 1))]
     pub id: &'a str,
-    /// State in SI units: of an element as in equations.json or cable.json, for (23) that of a case in structure.json. It may be one
-    /// of invalid.json.
+    /// State in SI units: of an element as in equations.json or cable.json, for (23) that of a case in structure.json, with its `scene`
+    /// and `rows` where it has them. It may be one of invalid.json.
     #[schemars(with = "Map<String, Value>")]
     pub state: &'a Value,
 }
@@ -363,11 +363,11 @@ mod tests {
             let Err(Fault::Garbage(message)) = read(line) else { panic!("{line}") };
             assert!(message.starts_with(line) && message.contains(words), "{message}");
         }
-        let Ok(AnswerLine::Hello { hello }) = read(r#"{"hello":{"name":null,"quantities":["7.M","1.R","23.m"]}}"#)
+        let Ok(AnswerLine::Hello { hello }) = read(r#"{"hello":{"name":null,"quantities":["7.M","1.R","23.M"]}}"#)
         else {
             panic!()
         };
-        assert_eq!(hello.unknown().collect::<Vec<_>>(), ["1.R", "23.m"]);
+        assert_eq!(hello.unknown().collect::<Vec<_>>(), ["1.R", "23.M"]);
     }
 
     #[test]

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::error::{Error, Result};
-use crate::graph::TERMS_OF_23;
+use crate::graph::{TERMS_OF_23, needs_a_scene};
 use crate::numbers::flatten;
 
 /// Fixture files in the order of the questions, each with its embedded text. [`Suite::load`] reads the same names from a folder.
@@ -79,12 +79,14 @@ pub struct Case {
     pub id: String,
     /// What the case can reveal, such as `rotated` or `heated`.
     pub tags: Vec<String>,
-    /// The state as it is sent to the program.
+    /// The state as it is sent to the program; that of a structure with its scene, and the rows of Φ in words.
     pub state_json: Value,
     /// The state to compute with.
     pub state: State,
-    /// Reference values by quantity.
+    /// Reference values by quantity, of those that can be asked for in this case.
     pub values: BTreeMap<String, Reference>,
+    /// Assembled terms of (23), which are sent with questions about the others; empty for an element.
+    pub terms: BTreeMap<&'static str, Value>,
 }
 
 /// A state to compute with.
@@ -204,9 +206,21 @@ impl Suite {
             "cable.json" => State::Cable(read(&case["state"], "state")?),
             _ => State::System(Box::new(system(&case["state"], &values).ok_or("state: not the terms of (23)")?)),
         };
+        let mut state_json = case["state"].clone();
+        let mut terms = BTreeMap::new();
+        if let State::System(_) = state {
+            terms = TERMS_OF_23.iter().filter_map(|id| Some((*id, values.get(*id)?.json.clone()))).collect();
+            if case["scene"].is_null() {
+                // Terms without a scene are data: nothing is known that they could be computed from.
+                values.retain(|id, _| !needs_a_scene(id));
+            } else {
+                state_json["scene"] = case["scene"].clone();
+                state_json["rows"] = case["rows"].clone();
+            }
+        }
         let prefix = if file == "cable.json" { "cable-" } else { "" };
         let id = format!("{prefix}{}", read::<String>(&case["id"], "id")?);
-        Ok(Case { id, tags: read(&case["tags"], "tags")?, state_json: case["state"].clone(), state, values })
+        Ok(Case { id, tags: read(&case["tags"], "tags")?, state_json, state, values, terms })
     }
 }
 
@@ -243,11 +257,12 @@ fn system(state: &Value, values: &BTreeMap<String, Reference>) -> Option<SystemS
 }
 
 impl Case {
-    /// Reference values that are sent with a question: those of `quantities`, and for (23) the assembled terms.
-    pub(crate) fn given<'a>(&'a self, quantities: &[&'a str]) -> BTreeMap<&'a str, &'a Value> {
-        let terms = if matches!(self.state, State::System(_)) { TERMS_OF_23 } else { &[] };
+    /// Reference values that are sent with a question about `quantity`: those of `inputs`, and for (23) the assembled terms, unless
+    /// it is one of them.
+    pub(crate) fn given<'a>(&'a self, quantity: &str, inputs: &[&'a str]) -> BTreeMap<&'a str, &'a Value> {
+        let terms = self.terms.iter().filter(|_| !needs_a_scene(quantity)).map(|(id, value)| (*id, value));
         let stored = |id: &&'a str| self.values.get(*id).map(|value| (*id, &value.json));
-        terms.iter().chain(quantities).filter_map(stored).collect()
+        terms.chain(inputs.iter().filter_map(stored)).collect()
     }
 }
 
@@ -314,12 +329,29 @@ mod tests {
     use crate::graph::GRAPH;
 
     #[test]
-    fn every_quantity_is_asked_for_except_printed_forms_and_terms() {
+    fn every_quantity_is_asked_for_except_printed_forms() {
         let suite = Suite::embedded().unwrap();
         let asked: BTreeSet<&str> = GRAPH.iter().map(|node| node.quantity).collect();
         let stored = suite.quantities.keys().map(String::as_str);
-        let expected: BTreeSet<&str> =
-            stored.filter(|id| !id.contains("/printed") && *id != "23.Phi" && !TERMS_OF_23.contains(id)).collect();
-        assert_eq!(asked, expected);
+        assert_eq!(asked, stored.filter(|id| !id.contains("/printed")).collect());
+        let of_a_case: BTreeSet<&str> =
+            suite.cases.iter().flat_map(|case| case.values.keys()).map(String::as_str).collect();
+        assert!(asked.is_subset(&of_a_case), "no case has {:?}", asked.difference(&of_a_case));
+    }
+
+    #[test]
+    fn terms_of_23_are_asked_for_with_the_scene_and_sent_with_the_others() {
+        let suite = Suite::embedded().unwrap();
+        let systems: Vec<&Case> = suite.cases.iter().filter(|case| matches!(case.state, State::System(_))).collect();
+        assert_eq!(systems.len(), 5);
+        for case in systems {
+            let asked = ["23.m", "23.Q_e", "23.f", "23.Phi", "23.Phi_q"].map(|id| case.values.contains_key(id));
+            // `square` has no scene: its terms are data.
+            assert_eq!(asked, [case.id != "square"; 5], "{}", case.id);
+            let state = &case.state_json;
+            assert_eq!([&state["scene"], &state["rows"], &state["t"]].map(Value::is_null), [case.id == "square"; 3]);
+            assert_eq!(case.given("23.residual", &["23.constraint_force"]).len(), 5);
+            assert!(case.given("23.m", &[]).is_empty());
+        }
     }
 }

@@ -191,10 +191,13 @@ impl Conventions {
         nested(&self.matrices.shape(shape, points(reference)), &theirs)
     }
 
-    /// Reference values that are sent with a question, [`Case::given`], in the program's conventions.
-    pub fn all_given<'a>(&self, case: &'a Case, quantities: &[&'a str]) -> Vec<(&'a str, Value)> {
-        let names = case.given(quantities).into_keys();
-        names.filter_map(|name| Some((name, self.given(name, case, case.values.get(name)?)))).collect()
+    /// Reference values that are sent with a question about `quantity`, [`Case::given`], in the program's conventions.
+    pub fn all_given<'a>(&self, case: &'a Case, quantity: &str, inputs: &[&'a str]) -> Vec<(&'a str, Value)> {
+        let theirs = |(name, value): (&'a str, &Value)| match case.values.get(name) {
+            Some(reference) => (name, self.given(name, case, reference)),
+            None => (name, value.clone()),
+        };
+        case.given(quantity, inputs).into_iter().map(theirs).collect()
     }
 
     /// A state as the program reads it; `None` where it is that of the fixtures. An invalid state is rewritten as far as it goes.

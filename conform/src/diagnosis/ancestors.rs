@@ -395,6 +395,7 @@ impl InCase {
             state_json: case.state_json.clone(),
             state: State::Element(Box::new(state.clone())),
             values,
+            terms: BTreeMap::new(),
         })
     }
 }

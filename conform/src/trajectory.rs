@@ -1,0 +1,55 @@
+//! Motions of another program against those of the fixtures: `ancf conform --trajectory FILE… --scene ID`.
+//!
+//! [`compare`] reads one file, or two with different steps, and judges in this order: what is there at t = 0; the first sample that
+//! differs; the order that two steps show, and whether their limit is the reference; energies. What its step does not explain is
+//! matched with mistakes made on purpose, each moved by a second program within this module.
+
+// Layers, from top to bottom; a module imports only from modules further down this list:
+// compare, outcome, matching, mistakes, sampling, file, reference, motion, rods, setup, frames.
+mod compare;
+mod file;
+mod frames;
+mod matching;
+mod mistakes;
+mod motion;
+mod outcome;
+mod reference;
+mod rods;
+mod sampling;
+mod setup;
+
+pub use compare::{Request, compare};
+pub use frames::{Frames, Path};
+pub use outcome::{Difference, EnergyResult, FileResult, Named, OrderResult, Outcome, OwnError, StartResult, Verdict};
+pub use reference::{Reference, reference, references};
+
+#[cfg(test)]
+mod tests {
+    use super::frames::{distance, largest_difference};
+    use super::motion::{Method, frames, initial_acceleration};
+    use super::reference::references;
+    use super::rods::Rods;
+    use super::setup::Setup;
+
+    #[test]
+    fn rods_without_a_mistake_move_as_the_fixtures_say() {
+        for reference in references().unwrap().iter().filter(|reference| !reference.is_solid) {
+            let rods = Rods::new(&Setup::of(reference.scene.clone())).unwrap();
+            let clock = std::time::Instant::now();
+            let ours = frames(&rods, Method::Fine, &reference.frames.t, |_| false);
+            let seconds = clock.elapsed().as_secs_f64();
+            let position = distance(&reference.frames.position, &ours.position);
+            let energy = |name: &&str| largest_difference(&reference.frames.energy[*name], &ours.energy[*name]);
+            let energies: Vec<f64> = ["kinetic", "strain", "potential"].iter().map(energy).collect();
+            println!("{:16} {position:.1e} m  {energies:.1e?} J  {seconds:.2} s", reference.id);
+            let sudden = reference.id.contains("sudden");
+            assert!(position < if sudden { 2e-4 } else { 2e-6 }, "{}: {position:.1e} m", reference.id);
+            if let (Some(nodal), Some(acceleration)) = (&reference.nodal, &reference.acceleration) {
+                let a = initial_acceleration(&rods);
+                let scale = acceleration.iter().fold(1.0, |scale: f64, a| scale.max(a.abs()));
+                assert!(largest_difference(nodal, rods.start.as_slice()) < 1e-14);
+                assert!(largest_difference(acceleration, a.as_slice()) < 1e-9 * scale);
+            }
+        }
+    }
+}

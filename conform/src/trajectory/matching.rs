@@ -1,0 +1,211 @@
+//! Which mistakes made on purpose move as the program does.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+use super::frames::{Frames, Path, distance};
+use super::mistakes::{FAMILIES, Family, Made, Output, mistakes};
+use super::motion::{Method, frames};
+use super::reference::Reference;
+use super::rods::Rods;
+use super::setup::Setup;
+
+/// A mistake fits if its motion is nearer to the program's than this part of the reference's distance.
+const NEAR: f64 = 0.05;
+/// A fit so good, in parts of the reference's distance, that no number is fitted besides.
+const SURE: f64 = 0.01;
+/// Fits within this factor of the best one cannot be told from it.
+const ALIKE: f64 = 3.0;
+/// Largest number of mistakes that are named.
+const MOST_NAMED: usize = 6;
+/// Corrections of a fitted number.
+const CORRECTIONS: usize = 5;
+/// A motion farther off than this many distances of the reference is not followed to its end.
+const HOPELESS: f64 = 4.0;
+
+/// A mistake whose motion is the program's.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// What is wrong.
+    pub what: String,
+    /// What to look at.
+    pub look_at: &'static str,
+    /// Largest distance of its motion from the program's, m.
+    pub distance: f64,
+}
+
+/// The program's motion, as mistakes are matched with it.
+pub struct Observed<'a> {
+    /// The right motion.
+    pub reference: &'a Reference,
+    /// Its frames at the program's times.
+    pub right: &'a Frames,
+    /// The program's motion, and what its limit for a step of nothing may be.
+    pub motions: Vec<&'a Frames>,
+    /// Distance of the program from the reference, m.
+    pub off: f64,
+    /// The program's own error, as far as it is known, m.
+    pub own_error: f64,
+    /// Its step, s.
+    pub step: Option<f64>,
+}
+
+impl Observed<'_> {
+    /// Positions of a mistake at the program's times; they end where they are too far away to matter.
+    fn positions(&self, made: &Made, right: &Setup) -> BTreeMap<String, Path> {
+        let times = &self.right.t;
+        let moved = |setup: &Setup, method: Method, times: &[f64]| {
+            let Some(rods) = Rods::new(setup) else { return BTreeMap::new() };
+            frames(&rods, method, times, |frames| self.is_hopeless(frames)).position
+        };
+        match made {
+            Made::Setup(setup) => moved(setup, Method::Fine, times),
+            Made::Method(method) => moved(right, *method, times),
+            Made::Output(Output::Times(factor, shift)) => {
+                let times: Vec<f64> = times.iter().map(|t| (factor * t + shift).max(0.0)).collect();
+                moved(right, Method::Fine, &times)
+            }
+            Made::Output(Output::Map(map, relative)) => {
+                let written = |(name, path): (&String, &Path)| {
+                    let start = if *relative { path.first().copied().unwrap_or_default() } else { [0.0; 2] };
+                    let mapped = path.iter().map(|p| {
+                        let d = [p[0] - start[0], p[1] - start[1]];
+                        [map[0][0] * d[0] + map[0][1] * d[1], map[1][0] * d[0] + map[1][1] * d[1]]
+                    });
+                    (name.clone(), mapped.collect())
+                };
+                self.right.position.iter().map(written).collect()
+            }
+            Made::Output(Output::Point(name)) => {
+                let Some(path) = self.right.position.get(name) else { return BTreeMap::new() };
+                // Written under the name of one other point.
+                let others =
+                    self.motions.iter().flat_map(|motion| motion.position.keys()).filter(|other| *other != name);
+                let mut positions = self.right.position.clone();
+                others.take(1).for_each(|other| _ = positions.insert(other.clone(), path.clone()));
+                positions
+            }
+        }
+    }
+
+    fn is_hopeless(&self, frames: &Frames) -> bool {
+        let Some(last) = frames.t.len().checked_sub(1) else { return false };
+        let far = |motion: &&Frames| {
+            motion.position.iter().any(|(point, path)| {
+                let pair = path.get(last).zip(frames.position.get(point).and_then(|path| path.get(last)));
+                pair.is_some_and(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]) > HOPELESS * self.off)
+            })
+        };
+        self.motions.iter().all(|motion| far(motion))
+    }
+
+    /// Distance of a mistake's motion from the program's.
+    fn distance(&self, made: &Made, right: &Setup) -> f64 {
+        let positions = self.positions(made, right);
+        let of = |motion: &&Frames| distance(&motion.position, &positions);
+        self.motions.iter().map(of).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Largest distance at which a mistake fits.
+    fn limit(&self) -> f64 {
+        self.own_error.max(NEAR * self.off).min(0.5 * self.off)
+    }
+}
+
+/// Mistakes that move as the program does, the nearest first; those that cannot be told apart all together.
+pub fn matching(observed: &Observed) -> Vec<Fit> {
+    let right = Setup::of(observed.reference.scene.clone());
+    let fixed = mistakes(&observed.reference.scene, observed.step);
+    let distances = in_parallel(fixed.len(), |n| observed.distance(&fixed[n].made, &right));
+    let fits = fixed.iter().zip(distances);
+    let mut fits: Vec<Fit> = fits
+        .map(|(mistake, distance)| Fit { what: mistake.what.clone(), look_at: mistake.look_at, distance })
+        .collect();
+    let best = |fits: &[Fit]| fits.iter().map(|fit| fit.distance).fold(f64::INFINITY, f64::min);
+    if best(&fits) > (SURE * observed.off).max(0.5 * observed.own_error.min(observed.off)) {
+        let fitted = in_parallel(FAMILIES.len(), |n| fitted(observed, &FAMILIES[n], &right));
+        fits.extend(fitted.into_iter().flatten());
+    }
+    let nearest = best(&fits);
+    let near = observed.limit();
+    let alike = (ALIKE * nearest).max(0.5 * observed.own_error).min(near);
+    fits.retain(|fit| fit.distance <= alike);
+    fits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    fits.truncate(MOST_NAMED);
+    fits
+}
+
+/// The value of a family's number that moves most nearly as the program does.
+fn fitted(observed: &Observed, family: &Family, right: &Setup) -> Option<Fit> {
+    let positions = |value: f64| Some(observed.positions(&(family.make)(right, value)?, right));
+    let program = observed.motions.last()?;
+    let differences = |positions: &BTreeMap<String, Path>| {
+        let mut all = Vec::new();
+        for (point, path) in &program.position {
+            let ours = positions.get(point)?;
+            if ours.len() < path.len() {
+                return None;
+            }
+            all.extend(path.iter().zip(ours).flat_map(|(a, b)| [a[0] - b[0], a[1] - b[1]]));
+        }
+        Some(all)
+    };
+    let far = |positions: &BTreeMap<String, Path>| distance(&program.position, positions);
+    let started = family.starts.iter().filter_map(|start| {
+        let distance = far(&positions(*start)?);
+        distance.is_finite().then_some((*start, distance))
+    });
+    let (mut value, mut reached) = started.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    for _ in 0..CORRECTIONS {
+        // Gauss and Newton's correction of one number.
+        let small = 1e-4 * value.abs().max(1e-6);
+        let (Some(here), Some(there)) =
+            (differences(&positions(value)?), positions(value + small).and_then(|positions| differences(&positions)))
+        else {
+            break;
+        };
+        let slope: Vec<f64> = here.iter().zip(&there).map(|(a, b)| (a - b) / small).collect();
+        let square: f64 = slope.iter().map(|s| s * s).sum();
+        let along: f64 = slope.iter().zip(&here).map(|(s, d)| s * d).sum();
+        let mut correction = along / square;
+        let mut better = None;
+        for _ in 0..4 {
+            let distance = positions(value + correction).map_or(f64::INFINITY, |positions| far(&positions));
+            if distance < reached {
+                better = Some((value + correction, distance));
+                break;
+            }
+            correction *= 0.4;
+        }
+        let Some((next, distance)) = better else { break };
+        let settled = distance > 0.95 * reached;
+        (value, reached) = (next, distance);
+        if settled {
+            break;
+        }
+    }
+    Some(Fit { what: (family.what)(value), look_at: family.look_at, distance: reached })
+}
+
+/// Values of a function of 0, 1, … in threads.
+fn in_parallel<T: Send>(count: usize, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let threads = thread::available_parallelism().map_or(1, usize::from).min(count.max(1));
+    let work = || {
+        let mut done = Vec::new();
+        loop {
+            let n = next.fetch_add(1, Ordering::Relaxed);
+            if n >= count {
+                return done;
+            }
+            done.push((n, value(n)));
+        }
+    };
+    let mut all: Vec<(usize, T)> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(&work)).collect();
+        workers.into_iter().filter_map(|worker| worker.join().ok()).flatten().collect()
+    });
+    all.sort_by_key(|(n, _)| *n);
+    all.into_iter().map(|(_, value)| value).collect()
+}
