@@ -197,6 +197,10 @@ impl<W: Write> Subject for Recorder<'_, W> {
         answer
     }
 
+    fn can_repeat(&self) -> bool {
+        self.subject.can_repeat()
+    }
+
     fn restart(&mut self) -> bool {
         self.subject.restart()
     }
