@@ -41,7 +41,7 @@ mod tests {
             let position = distance(&reference.frames.position, &ours.position);
             let energy = |name: &&str| largest_difference(&reference.frames.energy[*name], &ours.energy[*name]);
             let energies: Vec<f64> = ["kinetic", "strain", "potential"].iter().map(energy).collect();
-            println!("{:16} {position:.1e} m  {energies:.1e?} J  {seconds:.2} s", reference.id);
+            println!("{:16} {position:.1e} m  {energies:?} J  {seconds:.2} s", reference.id);
             let sudden = reference.id.contains("sudden");
             assert!(position < if sudden { 2e-4 } else { 2e-6 }, "{}: {position:.1e} m", reference.id);
             if let (Some(nodal), Some(acceleration)) = (&reference.nodal, &reference.acceleration) {

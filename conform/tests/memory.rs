@@ -41,7 +41,7 @@ fn report<K: Default>(quantities: &[&str], answer: impl FnMut(&mut K, &Asked) ->
 
 fn report_with<K: Default>(quantities: &[&str], given: bool, answer: impl FnMut(&mut K, &Asked) -> Answer) -> Report {
     let quantities = Some(quantities.iter().map(|name| (*name).to_string()).collect());
-    let hello = Hello { name: Some("mine".into()), given, quantities };
+    let hello = Hello { name: Some("mine".into()), given, quantities, ..Hello::default() };
     let mut subject = Remembering { kept: K::default(), answer, hello, starts: 1 };
     let suite = Suite::embedded().unwrap();
     let examination = examine(&suite, &mut subject, Options::default(), |_| {});

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use ancf::internals::structure::Structure;
 use ancf::model::Model;
-use ancf_conform::{Examination, Options, Suite, examine};
+use ancf_conform::{Examination, Options, Program, Suite, examine};
 use nalgebra::{DVector, Vector2};
 use serde_json::{Value, json};
 
@@ -104,8 +104,8 @@ fn subject() {
 fn examined(mistake: &str) -> Examination {
     let this = env::current_exe().unwrap().display().to_string();
     let command = ["env", &format!("{MISTAKE}={mistake}"), &this, "--exact", "subject", "--ignored", "--nocapture"];
-    let options = Options { time_limit: Duration::from_secs(20), given: true };
-    examine(&Suite::embedded().unwrap(), &command.map(String::from), options, |_| {}).unwrap()
+    let mut program = Program::start(&command.map(String::from), Duration::from_secs(20)).unwrap();
+    examine(&Suite::embedded().unwrap(), &mut program, Options::default(), |_| {})
 }
 
 /// Quantities that fail in some case.
