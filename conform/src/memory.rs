@@ -10,7 +10,7 @@ use serde::Serialize;
 use crate::answers::Answers;
 use crate::blame::Blame;
 use crate::convention::Conventions;
-use crate::protocol::{self, Answer, Asked};
+use crate::protocol::{self, AGAIN, Answer, Asked};
 use crate::subject::Subject;
 use crate::suite::{Reference, Suite};
 use crate::verdict::Fault;
@@ -218,7 +218,7 @@ impl<'a> Repetition<'a> {
         let (suite, conventions) = (self.suite, self.conventions);
         let case = suite.cases.get(place)?;
         self.questions += 1;
-        let id = format!("again-{}", self.questions);
+        let id = format!("{AGAIN}{}", self.questions);
         let rewritten = conventions.state(&case.state_json);
         let theirs = conventions.all_given(case, equation, &[]);
         let given = theirs.iter().map(|(name, value)| (*name, value)).collect();

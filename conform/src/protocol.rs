@@ -27,6 +27,9 @@ use crate::verdict::Fault;
 /// Name and version of the protocol.
 const PROTOCOL: &str = "ancf-conform/1";
 
+/// Beginning of the name of a question that is asked again to see whether its answer stays.
+pub const AGAIN: &str = "again/";
+
 /// Longest quotation of a line, in characters.
 const LONGEST_QUOTE: usize = 80;
 

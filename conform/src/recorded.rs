@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use crate::error::{Error, Result};
 use crate::lines::Lines;
-use crate::protocol::{Answer, AnswerLine, Asked, Hello, Question, quoted};
+use crate::protocol::{AGAIN, Answer, AnswerLine, Asked, Hello, Question, quoted};
 use crate::subject::{Chatter, Subject};
 use crate::suite::Suite;
 use crate::trouble::{Remark, Trouble};
@@ -187,6 +187,9 @@ impl<W: Write> Subject for Recorder<'_, W> {
     fn ask(&mut self, question: &Asked) -> Result<Answer, Fault> {
         let answer = self.subject.ask(question);
         let id = question.id;
+        if id.starts_with(AGAIN) {
+            return answer;
+        }
         let line = match &answer {
             Ok(Answer::Value(value)) => json!({"id": id, "value": value}),
             Ok(Answer::NotImplemented) => json!({"id": id, "not_implemented": true}),
@@ -241,7 +244,8 @@ mod tests {
     fn report(suite: &Suite, subject: &mut dyn Subject) -> Value {
         let options = Options { asked: Selection::new(suite, &["17".into()], &[]).unwrap(), ..Options::default() };
         let mut report = Report::new(suite, &examine(suite, subject, options, |_| {}));
-        report.seconds = 0.0;
+        // A live program is asked some questions again, which a recording is not.
+        (report.seconds, report.questions) = (0.0, 0);
         serde_json::to_value(report).unwrap()
     }
 
@@ -299,7 +303,8 @@ mod tests {
             .iter()
             .map(|r| (r["trouble"].as_str().unwrap(), r["lines"].as_u64().unwrap()))
             .collect();
-        assert_eq!(found, [("unanswered", questions.len() as u64 - 2), ("cut-off", 1), ("unknown-id", 1)]);
+        // A wrong answer is asked for once more, with θ in degrees.
+        assert_eq!(found, [("unanswered", questions.len() as u64 - 1), ("cut-off", 1), ("unknown-id", 1)]);
     }
 
     #[test]

@@ -48,7 +48,9 @@ mod tests {
                 let a = initial_acceleration(&rods);
                 let scale = acceleration.iter().fold(1.0, |scale: f64, a| scale.max(a.abs()));
                 assert!(largest_difference(nodal, rods.start.as_slice()) < 1e-14);
-                assert!(largest_difference(acceleration, a.as_slice()) < 1e-9 * scale);
+                let apart = largest_difference(acceleration, a.as_slice()) / scale;
+                // Of a relaxed start only the rounding of large thermal forces is left beside the weight.
+                assert!(apart < 1e-7, "{}: {apart:.1e} of the largest", reference.id);
             }
         }
     }

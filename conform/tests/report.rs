@@ -47,12 +47,12 @@ fn the_first_screen_names_equation_kind_evidence_and_formula() {
     assert!(lines[2].starts_with("**Wrong: (17), `17.mu` first"), "{}", lines[2]);
     for part in [
         "**First wrong equation: (17), `17.mu`.**",
-        "Kind: Explained by: factor",
+        "or factor (all of it twice).",
         "Evidence: state `",
         ", ratio 2. Wrong in 36 of 36 states.",
         "Look at: μ = E/(2(1 + ν)).",
         "Invalid states: should refuse.",
-        "Not implemented: 70 quantities: (4), ",
+        "Not implemented: 75 quantities: (4), ",
     ] {
         assert!(lines.join("\n").contains(part), "no {part:?} in:\n{}", lines.join("\n"));
     }
@@ -104,9 +104,10 @@ fn right_equations_stay_right_if_invalid_states_are_accepted() {
     );
 
     let (refusing, _) = report(
-        |question| match number(question, "E") > 0.0
-            && (-1.0..0.5).contains(&number(question, "nu"))
-            && number(question, "nu") > -1.0
+        |question| match !question.equation.starts_with("17.")
+            || number(question, "E") > 0.0
+                && (-1.0..0.5).contains(&number(question, "nu"))
+                && number(question, "nu") > -1.0
         {
             true => lame(question),
             false => Answer::Error("E has to be over 0, nu between -1 and 0.5".into()),
@@ -152,7 +153,8 @@ fn a_part_is_asked_by_choice() {
     let suite = Suite::embedded().unwrap();
     let asked = Selection::new(&suite, &["17".into()], &["rest-vertical".into()]).unwrap();
     let (report, xml) = report(lame, Options { asked, ..Options::default() });
-    assert_eq!((report.headline().as_str(), report.questions), ("Right, asked in part by your choice", 2));
+    // Two questions; both are asked again, for memory.
+    assert_eq!((report.headline().as_str(), report.questions), ("Right, asked in part by your choice", 4));
     assert!(report.partly_checked.is_empty() && report.asked_in_part);
     assert_eq!(xml.matches("<testcase classname=\"17.").count(), 2, "{xml}");
 }

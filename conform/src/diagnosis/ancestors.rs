@@ -215,7 +215,9 @@ fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -
     of_culprit.sort_by_key(|observation| observation.case.tags.len());
     let Some(simplest) = of_culprit.first() else { return Fitting::default() };
     // Of the paper's own route only: a strain and the stress after it are not two causes.
-    let all: BTreeSet<Key> = all.into_iter().filter(|(members, ..)| !chain::is_by_stress(members)).collect();
+    let mut all: Vec<Key> = all.into_iter().filter(|(members, ..)| !chain::is_by_stress(members)).collect();
+    // The same mistake in a later quantity is what follows from it: roots first.
+    all.sort_by_key(|(members, ..)| GRAPH.iter().position(|node| members.first() == Some(&node.quantity)));
     let alone: Vec<Key> =
         all.iter().filter(|key| search.explains(culprit, simplest, &[*key])).take(MOST_FIRST).cloned().collect();
     for one in &alone {

@@ -23,7 +23,12 @@ impl Report {
         if let Some(fault) = &self.program.no_hello {
             return format!("it did not answer hello: {}", plain(fault));
         }
-        self.counts_text()
+        let mut text = self.counts_text();
+        if let (Some(demanded), false) = (self.precision.demanded, self.precision.fewer.is_empty()) {
+            let names: Vec<&str> = self.precision.fewer.iter().map(|fewer| fewer.quantity).collect();
+            text += &format!(" Fewer than the {demanded} digits demanded: {}.", names.join(", "));
+        }
+        text
     }
 
     /// Numbers of quantities that pass, fail and are missing; empty if nothing was asked.
