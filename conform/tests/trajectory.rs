@@ -76,9 +76,10 @@ fn right_programs_are_not_called_wrong() {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "a minute; in release mode")]
 fn mistakes_of_a_scene_are_named() {
     type Change = fn(&mut Scene);
-    let cases: [(&str, Method, f64, Change, &str); 12] = [
+    let cases: [(&str, Method, f64, Change, &str); 11] = [
         (
             "flexible-2",
             Method::GeneralizedAlpha,
@@ -94,13 +95,6 @@ fn mistakes_of_a_scene_are_named() {
         ("2d-sudden-2", Method::Explicit, 4e-5, |s| heat(s).model = ThermalModel::OneD, "1D heat in place of 2D"),
         ("2d-sudden-2", Method::Explicit, 4e-5, |s| heat(s).start = Start::Relaxed, "relaxed start"),
         ("2d-sudden-2", Method::Explicit, 4e-5, |s| heat(s).history = vec![[0.0, 400.0]], "doubled"),
-        (
-            "2d-sudden-2",
-            Method::Explicit,
-            4e-5,
-            |s| heat(s).history = vec![[0.0, 0.0], [0.13, 200.0]],
-            "grows over 0.1",
-        ),
         ("knee-2-1", Method::GeneralizedAlpha, 1e-4, |s| s.supports[0].clamp = None, "hinged in place of clamped"),
         ("scissor-1-2", Method::Explicit, 2e-5, |s| s.forces[0].history = None, "does not follow its history"),
     ];
@@ -193,7 +187,7 @@ fn runge_kutta_steps_agree_and_their_mistakes_are_named() {
 
 #[test]
 fn a_first_order_method_is_told_from_a_long_step() {
-    let mut damped = [2e-3, 1e-3].map(|step| scene("flexible-2", Method::GeneralizedAlpha, step));
+    let mut damped = [1e-3, 5e-4].map(|step| scene("flexible-2", Method::GeneralizedAlpha, step));
     let outcome = compared("flexible-2", &damped);
     assert_eq!(outcome.verdict, Verdict::ShortenTheStep, "{}", outcome.markdown());
     let order = outcome.order.unwrap();
