@@ -8,8 +8,11 @@ use serde_json::{Map, Value};
 
 use crate::trouble::Trouble;
 
+/// Objects, and what is not JSON in their text.
+type Objects = (Vec<Map<String, Value>>, BTreeSet<Trouble>);
+
 /// Objects of a text, and what is not JSON in it. `None` if there is anything but objects in it.
-pub fn objects(text: &str) -> Option<(Vec<Map<String, Value>>, BTreeSet<Trouble>)> {
+pub fn objects(text: &str) -> Option<Objects> {
     let mut troubles = BTreeSet::new();
     let mut text = text;
     while let Some(rest) = text.strip_prefix('\u{feff}') {

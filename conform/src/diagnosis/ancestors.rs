@@ -226,7 +226,7 @@ fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -
         let partners: Vec<&Key> =
             all.iter().filter(apart).filter(|two| search.explains(culprit, other, &[one, *two])).collect();
         for two in partners {
-            if judged.iter().all(|(quantity, observation)| search.explains(*quantity, observation, &[one, two])) {
+            if judged.iter().all(|(quantity, observation)| search.explains(quantity, observation, &[one, two])) {
                 return Fitting::of([one.clone(), two.clone()], true);
             }
         }

@@ -380,7 +380,8 @@ fn readings<'a>(quantity: &'a str, state: &'a CableState) -> Vec<Candidate<'a>> 
             )
         })
         .collect();
-    let others: [(MistakeKind, &str, fn(&mut CableState)); 8] = [
+    type Other = (MistakeKind, &'static str, fn(&mut CableState));
+    let others: [Other; 8] = [
         (XyOrder, "y before x in e", |s| {
             let read = |e: &[f64; 8]| std::array::from_fn(|n| e[n ^ 1]);
             (s.e, s.edot) = (read(&s.e), read(&s.edot));

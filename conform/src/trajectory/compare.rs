@@ -247,7 +247,7 @@ impl<'a> Comparison<'a> {
                 table.iter().filter_map(|(point, path)| Some((point.clone(), vec![*path.get(at)?]))).collect()
             };
             let worst = farthest(&here(&got.position), &here(&right.position))?;
-            if !(worst.distance <= allowed) {
+            if worst.distance > allowed || worst.distance.is_nan() {
                 let [expected, start] = [at, 0].map(|n| right.position[&worst.point][n]);
                 let p = got.position[&worst.point][at];
                 let ratio = [0, 1].map(|c| {
@@ -617,10 +617,10 @@ impl<'a> Comparison<'a> {
         if let Some(end) = run.written.ends_at {
             notes.push(format!("from t = {end} s on there are values that are no numbers: the motion has exploded, by its step or by a mistake"));
         }
-        if let Some(last) = self.reference.frames.t.last() {
-            if run.sampled.frames.t.last().is_some_and(|t| t < last) {
-                notes.push(format!("compared until {} s of {last}", run.sampled.frames.t.last().unwrap_or(&0.0)));
-            }
+        if let Some(last) = self.reference.frames.t.last()
+            && run.sampled.frames.t.last().is_some_and(|t| t < last)
+        {
+            notes.push(format!("compared until {} s of {last}", run.sampled.frames.t.last().unwrap_or(&0.0)));
         }
         notes
     }
@@ -696,7 +696,7 @@ fn mass_result(own: &[Vec<f64>], right: &DMatrix<f64>) -> StartResult {
     for (i, row) in own.iter().enumerate() {
         for (j, entry) in row.iter().enumerate() {
             let off = (entry - right[(stride * i, stride * j)]).abs();
-            if !(off <= worst.0) {
+            if off > worst.0 || off.is_nan() {
                 worst = (off, (i, j));
             }
         }

@@ -53,7 +53,7 @@ pub fn farthest(a: &BTreeMap<String, Path>, b: &BTreeMap<String, Path>) -> Optio
         for (at, (p, q)) in path.iter().zip(other).enumerate() {
             let distance = (p[0] - q[0]).hypot(p[1] - q[1]);
             // A distance that is not a number is the largest of all.
-            if worst.as_ref().is_none_or(|worst| !(distance <= worst.distance)) {
+            if worst.as_ref().is_none_or(|worst| distance > worst.distance || distance.is_nan()) {
                 worst = Some(Farthest { at, point: point.clone(), distance });
             }
         }

@@ -97,7 +97,7 @@ impl Observed<'_> {
                 pair.is_some_and(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]) > HOPELESS * self.off)
             })
         };
-        self.motions.iter().all(|motion| far(motion))
+        self.motions.iter().all(far)
     }
 
     /// Distance of a mistake's motion from the program's.
@@ -203,7 +203,7 @@ fn in_parallel<T: Send>(count: usize, value: impl Fn(usize) -> T + Sync) -> Vec<
         }
     };
     let mut all: Vec<(usize, T)> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(&work)).collect();
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
         workers.into_iter().filter_map(|worker| worker.join().ok()).flatten().collect()
     });
     all.sort_by_key(|(n, _)| *n);

@@ -325,7 +325,8 @@ fn joints(scene: &Scene, add: &mut Add) {
 
 fn assembly(scene: &Scene, add: &mut Add) {
     let most = scene.rods.iter().map(|rod| rod.elements).max().unwrap_or(1);
-    let terms: [(&str, fn(&mut Setup, Blocks)); 4] = [
+    type Term = (&'static str, fn(&mut Setup, Blocks));
+    let terms: [Term; 4] = [
         ("mass", |setup, blocks| setup.mass_blocks = blocks),
         ("elastic force", |setup, blocks| setup.force_blocks = blocks),
         ("weight", |setup, blocks| setup.weight_blocks = blocks),
@@ -433,7 +434,7 @@ fn material(scene: &Scene, add: &mut Add) {
 fn mesh(scene: &Scene, add: &mut Add) {
     let can_be = |element: Element, elements: usize| {
         // A pivot is a node of the Euler–Bernoulli element for even numbers only.
-        element == Element::Ancf || elements % 2 == 0 || scene.rods.iter().all(|rod| rod.pivot.is_none())
+        element == Element::Ancf || elements.is_multiple_of(2) || scene.rods.iter().all(|rod| rod.pivot.is_none())
     };
     if scene.rods.len() == 1 {
         for (element, kind) in
