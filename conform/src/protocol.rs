@@ -227,7 +227,7 @@ fn line(question: &impl Serialize) -> String {
     serde_json::to_string(question).unwrap_or_default()
 }
 
-/// Reads a line of the program: one hello or answer. [`Lines`](crate::lines::Lines) reads what takes several lines.
+/// Reads a line of the program: one hello or answer. `Lines` reads what takes several lines.
 ///
 /// # Errors
 /// [`Fault::Garbage`] for a JSON object that is neither `hello` nor an answer, with the reason.
