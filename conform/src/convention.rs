@@ -10,7 +10,7 @@
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
 // inference, read_off, evidence, declared, translation, axes;
-// layout, order, slopes, components, voigt, shear, symmetrised, energy, heat, angle, matrices, reading; named.
+// layout, order, slopes, components, voigt, shear, symmetrised, energy, heat, angle, matrices, reading; rest, named.
 mod angle;
 mod axes;
 mod components;
@@ -25,13 +25,14 @@ mod named;
 mod order;
 mod read_off;
 mod reading;
+mod rest;
 mod shear;
 mod slopes;
 mod symmetrised;
 mod translation;
 mod voigt;
 
-pub use declared::{Declared, DeclaredConventions};
+pub use declared::Declared;
 pub use inference::infer;
 pub use named::{Convention, How};
 

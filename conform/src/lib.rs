@@ -26,11 +26,12 @@
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
 // schema, report, examiner, given, examination, diagnosis, blame, memory, convention, lost_digits, precision, answers, formula;
-// recorded, program, subject, process, lines; protocol, spelling, trouble; selection, equations_text, state_file; verdict, suite,
-// numbers, graph, error. `trajectory` stands beside them: of this crate it imports error alone.
+// recorded, program, subject, process, lines; protocol, declaration, spelling, trouble, quotation; selection, equations_text,
+// state_file; verdict, suite, numbers, graph, error. `trajectory` stands beside them: of this crate it imports error alone.
 mod answers;
 mod blame;
 mod convention;
+mod declaration;
 mod diagnosis;
 mod equations_text;
 mod error;
@@ -47,6 +48,7 @@ mod precision;
 mod process;
 mod program;
 mod protocol;
+mod quotation;
 mod recorded;
 pub mod report;
 mod schema;

@@ -1,6 +1,7 @@
 //! Lines of a program, assembled to answers.
 
-use crate::protocol::{self, AnswerLine, quoted};
+use crate::protocol::{self, AnswerLine};
+use crate::quotation::quoted;
 use crate::spelling::{is_open, objects};
 use crate::trouble::{Remark, Trouble, Troubles};
 use crate::verdict::Fault;

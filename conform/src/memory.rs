@@ -11,6 +11,7 @@ use crate::answers::Answers;
 use crate::blame::Blame;
 use crate::convention::Conventions;
 use crate::protocol::{self, AGAIN, Answer, Asked};
+use crate::quotation::quoted;
 use crate::subject::Subject;
 use crate::suite::{Reference, Suite};
 use crate::verdict::Fault;
@@ -304,7 +305,7 @@ fn difference(
     reference: &Reference,
 ) -> Option<(String, String)> {
     let words = |answer: &Result<Answer, Fault>| match answer {
-        Ok(Answer::Value(value)) => protocol::quoted(&value.to_string()),
+        Ok(Answer::Value(value)) => quoted(&value.to_string()),
         Ok(Answer::NotImplemented) => "not implemented".into(),
         Ok(Answer::Error(message)) => format!("error: {message}"),
         Err(fault) => fault.to_string(),

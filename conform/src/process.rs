@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-use crate::protocol;
+use crate::quotation::quoted;
 use crate::verdict::Fault;
 
 /// Longest line that is read, in bytes: the longest right answer has some hundred thousand.
@@ -135,7 +135,7 @@ impl Process {
         let mut report = status.map_or_else(|| how.to_string(), |status| status.to_string());
         let lines = self.last_errors.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(last) = lines.iter().rev().find(|line| !line.trim().is_empty()) {
-            report += &format!("; last line of standard error: {}", protocol::quoted(last));
+            report += &format!("; last line of standard error: {}", quoted(last));
         }
         report
     }

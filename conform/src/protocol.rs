@@ -17,9 +17,10 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::convention::DeclaredConventions;
+use crate::declaration::DeclaredConventions;
 use crate::graph::{GRAPH, Node, TERMS_OF_23, equation, find};
 use crate::numbers::{Numbers, flatten};
+use crate::quotation::quoted;
 use crate::spelling;
 use crate::suite::{Length, Per, Quantity, Suite};
 use crate::verdict::Fault;
@@ -29,9 +30,6 @@ const PROTOCOL: &str = "ancf-conform/1";
 
 /// Beginning of the name of a question that is asked again to see whether its answer stays.
 pub const AGAIN: &str = "again/";
-
-/// Longest quotation of a line, in characters.
-const LONGEST_QUOTE: usize = 80;
 
 /// A line to the program. The first one announces all quantities; each further one asks for a quantity in a state.
 #[derive(Serialize, JsonSchema)]
@@ -311,15 +309,6 @@ fn shape_text(shape: &[usize]) -> String {
     shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" × ")
 }
 
-/// Returns the beginning of a line, without control characters.
-pub fn quoted(line: &str) -> String {
-    let line: String = line.trim().chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    match line.char_indices().nth(LONGEST_QUOTE) {
-        Some((cut, _)) => format!("{}…", line.get(..cut).unwrap_or_default()),
-        None => line,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use serde_json::json;
@@ -350,7 +339,7 @@ mod tests {
             assert_eq!(read(line), Ok(AnswerLine::Chatter(line.into())));
         }
         let long = "x".repeat(1000);
-        assert_eq!(read(&long), Ok(AnswerLine::Chatter(format!("{}…", "x".repeat(LONGEST_QUOTE)))));
+        assert_eq!(read(&long), Ok(AnswerLine::Chatter(format!("{}…", "x".repeat(crate::quotation::LONGEST)))));
     }
 
     #[test]

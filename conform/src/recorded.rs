@@ -8,7 +8,8 @@ use serde_json::{Value, json};
 
 use crate::error::{Error, Result};
 use crate::lines::Lines;
-use crate::protocol::{AGAIN, Answer, AnswerLine, Asked, Hello, Question, quoted};
+use crate::protocol::{AGAIN, Answer, AnswerLine, Asked, Hello, Question};
+use crate::quotation::quoted;
 use crate::subject::{Chatter, Subject};
 use crate::suite::Suite;
 use crate::trouble::{Remark, Trouble};

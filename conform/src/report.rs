@@ -1,6 +1,6 @@
 //! The report of an examination: `conformance.json`; Markdown and text to read; JUnit XML for servers of CI.
 
-// markdown and text import screen, findings and marks, and these record.
+// markdown and text import screen, findings, words and marks, and these record.
 mod findings;
 mod junit;
 mod markdown;
@@ -8,6 +8,7 @@ mod marks;
 mod record;
 mod screen;
 mod text;
+mod words;
 
 pub use junit::junit;
 pub use record::{

@@ -100,7 +100,7 @@ pub struct Troubles(BTreeMap<Trouble, (usize, String)>);
 impl Troubles {
     /// Notes a trouble of a line.
     pub fn add(&mut self, trouble: Trouble, line: &str) {
-        self.0.entry(trouble).or_insert_with(|| (0, crate::protocol::quoted(line))).0 += 1;
+        self.0.entry(trouble).or_insert_with(|| (0, crate::quotation::quoted(line))).0 += 1;
     }
 
     /// The troubles as a list.

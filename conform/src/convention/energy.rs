@@ -1,6 +1,6 @@
 //! Constant part of the strain energy, which no force depends on.
 
-use super::translation::value_at_rest;
+use super::rest::value_at_rest;
 use crate::suite::State;
 
 /// Quantities that are strain energies.

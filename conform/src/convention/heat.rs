@@ -1,6 +1,6 @@
 //! Place where the thermal strain is subtracted: in the strain (14), or in the law that gives the stress.
 
-use super::translation::value_at_rest;
+use super::rest::value_at_rest;
 use crate::suite::State;
 
 /// Strains, with the quantities that follow from them: those must be right where a strain keeps its heat.

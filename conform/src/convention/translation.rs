@@ -1,6 +1,5 @@
 //! Translation of values and states between a program's conventions and those of the fixtures.
 
-use ancf::state::{CableState, ElementState, evaluate, evaluate_cable};
 use serde_json::Value;
 
 use super::Conventions;
@@ -43,15 +42,6 @@ pub(super) fn is_close(numbers: &[f64], reference: &Reference) -> bool {
 /// Largest distance at which an entry of the program can be one of the fixtures.
 pub(super) fn closeness(reference: &Reference, entry: usize) -> f64 {
     (CLOSE / reference.relative).max(1.0) * reference.absolute.get(entry).copied().unwrap_or(0.0)
-}
-
-/// Value of a quantity of an element whose e is e0.
-pub(super) fn value_at_rest(quantity: &str, state: &State) -> Option<Vec<f64>> {
-    match state {
-        State::Element(state) => evaluate(quantity, &ElementState { e: state.e0, ..(**state).clone() }),
-        State::Cable(state) => evaluate_cable(quantity, &CableState { e: state.e0, ..(**state).clone() }),
-        State::System(_) => None,
-    }
 }
 
 /// Nested lists of the lengths `shape` with these numbers, row by row.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::marks::Marks;
 use super::record::{FewerDigits, LeastAttainable, OtherPrecision, PrecisionResult, Report};
-use super::screen::{capitalised, listed};
+use super::words::{capitalised, listed};
 use crate::convention::{Convention, How};
 use crate::diagnosis::Ancestor;
 use crate::memory::{ChangedAnswer, EarlierQuestion, Memory};
