@@ -405,7 +405,7 @@ fn the_command_writes_a_report_and_ends_with_1() {
         "ν in the wrong place (λ = 0)",
         "**Also wrong by itself: (17), `17.mu`.**",
         "Only in states tagged nu.",
-        "| 17.lambda | **fail** | 12 / 36 / 36 | 0.7 | `rest-vertical`: 0e0, expected 1.5e3 |",
+        "| 17.lambda | **fail** | 12 / 36 / 36 | 0.7 | `rest-vertical`: 0, expected 1500 |",
         "Not implemented: 75 quantities: (4), ",
     ] {
         assert!(text.contains(part), "no {part:?} in:\n{text}");

@@ -81,6 +81,13 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
         .collect();
     // Values that were not read are no evidence.
     again.retain(|quantity, _| !given_ignored.contains(quantity));
+    // Right ones need not be read: the program may well compute them where it needs them, at points of its own.
+    let is_wrong =
+        |input: &str| verdicts.iter().any(|(quantity, cases)| *quantity == input && any(cases, Verdict::fails));
+    let given_ignored: Vec<&'static str> = (GRAPH.iter())
+        .filter(|node| given_ignored.contains(&node.quantity) && node.given.iter().any(|input| is_wrong(input)))
+        .map(|node| node.quantity)
+        .collect();
     let again = |quantity: &str| again.get(quantity).map(Vec::as_slice);
     let statuses: BTreeMap<&str, Status> =
         verdicts.iter().map(|(quantity, cases)| (*quantity, status(cases, again(quantity)))).collect();

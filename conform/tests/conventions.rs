@@ -392,6 +392,7 @@ fn with_own_reading(mine: &Mine) -> Option<(Mine, Vec<&'static str>)> {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "half a minute; in release mode")]
 fn each_convention_is_recognised() {
     let mut complaints = Vec::new();
     for (what, mine, expected) in programs() {
@@ -552,6 +553,7 @@ fn a_single_quantity_in_another_convention_is_a_mistake() {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "half a minute; in release mode")]
 fn single_precision_hides_no_convention() {
     let mut complaints = Vec::new();
     for (what, mine, expected) in programs() {
@@ -571,6 +573,7 @@ fn single_precision_hides_no_convention() {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "half a minute; in release mode")]
 fn given_values_come_in_the_programs_conventions() {
     let twice_the_force: MistakeOf = |quantity, state| {
         (quantity == "22.residual").then(|| evaluate(quantity, state).unwrap().iter().map(|f| 2.0 * f).collect())

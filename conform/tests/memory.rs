@@ -250,16 +250,17 @@ fn number(value: &Value) -> f64 {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "half a minute; in release mode")]
 fn a_value_that_is_computed_in_place_of_the_given_one_remains_an_excuse() {
     let culprits = |report: &Report| report.culprits.iter().map(|culprit| culprit.blame.quantity).collect::<Vec<_>>();
     let all = with_given(&["17.lambda", "17.mu", "21.K_1", "21.K_2", "21.K_3"]);
-    // K_1 is never given its heat.
-    assert_eq!((culprits(&all), all.given_ignored), (vec!["17.lambda", "21.K_1"], vec!["21.K_1"]));
+    // K_1 computes its heat where it needs it. That heat is right: nothing to be said.
+    assert_eq!((culprits(&all), all.given_ignored), (vec!["17.lambda", "21.K_1"], vec![]));
     // K remains wrong with other numbers, because of λ.
     let partly = with_given(&["21.K_1", "21.K_2", "21.K_3"]);
-    assert_eq!((culprits(&partly), &partly.given_ignored), (vec!["17.lambda", "21.K_1"], &vec!["21.K_1"]));
+    assert_eq!((culprits(&partly), &partly.given_ignored), (vec!["17.lambda", "21.K_1"], &vec![]));
     let none = with_given(&[]);
-    assert_eq!((culprits(&none), &none.given_ignored), (vec!["17.lambda", "21.K_1"], &vec!["21.K_1", "20.K"]));
-    let words = "It says it reads `given`, but does not for `21.K_1`, `20.K`";
+    assert_eq!((culprits(&none), &none.given_ignored), (vec!["17.lambda", "21.K_1"], &vec!["20.K"]));
+    let words = "It says it reads `given`, but does not for `20.K`";
     assert!(none.markdown().contains(words), "{}", none.markdown());
 }

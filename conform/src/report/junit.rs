@@ -5,6 +5,7 @@
 use std::fmt::Write;
 
 use super::record::{Conclusion, RefusalVerdict, Report};
+use super::words::exact;
 use crate::examination::{Examination, InvalidOutcome};
 use crate::formula::formula;
 use crate::suite::Suite;
@@ -77,7 +78,11 @@ impl Outcome {
             Verdict::NotImplemented => Outcome::Skipped("not implemented".into()),
             Verdict::Fault(fault) => Outcome::Failed { message: fault.to_string(), text },
             Verdict::Wrong(Wrong { entry, answered, expected, digits, .. }) => Outcome::Failed {
-                message: format!("entry {entry}: {answered:e}, expected {expected:e}; {digits:.1} correct digits"),
+                message: format!(
+                    "entry {entry}: {}, expected {}; {digits:.1} correct digits",
+                    exact(*answered),
+                    exact(*expected)
+                ),
                 text,
             },
         }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::findings::ancestor_lines;
 use super::marks::Marks;
 use super::record::{Conclusion, CulpritResult, FailingCase, Failure, QuantityResult, RefusalVerdict, Report};
-use super::words::{capitalised, listed, short};
+use super::words::{capitalised, exact, listed, short};
 use crate::diagnosis::Diagnosis;
 use crate::quotation::quoted;
 
@@ -134,7 +134,7 @@ impl Report {
     fn first_wrong_lines(&self, marks: Marks) -> Vec<String> {
         let Some(culprit) = &self.first_wrong else { return Vec::new() };
         let mut lines = vec![self.culprit_line(culprit, marks)];
-        lines.push(format!("Kind: {}", diagnosis_text(&culprit.diagnosis)));
+        lines.push(diagnosis_text(&culprit.diagnosis));
         lines.extend(ancestor_lines(&culprit.ancestors, marks).into_iter().take(MOST_ANCESTORS));
         if let Some(row) = self.quantities.iter().find(|row| row.quantity == culprit.blame.quantity) {
             lines.extend(row.smallest_failing.as_ref().map(|case| evidence(case, row, marks)));
@@ -254,7 +254,11 @@ fn evidence(case: &FailingCase, row: &QuantityResult, marks: Marks) -> String {
             let entry = if place.is_empty() { String::new() } else { format!(", entry {}", marks.code(&place)) };
             let ratio = answered / expected;
             let ratio = if ratio.is_finite() { format!(", ratio {}", short(ratio)) } else { String::new() };
-            format!("Evidence: state {state}{entry}: {answered:e}, expected {expected:e}{ratio}. Wrong in {failing}.")
+            format!(
+                "Evidence: state {state}{entry}: {}, expected {}{ratio}. Wrong in {failing}.",
+                exact(*answered),
+                exact(*expected)
+            )
         }
     }
 }
@@ -293,7 +297,7 @@ impl QuantityResult {
     pub(super) fn example(&self, marks: Marks) -> String {
         let text = |FailingCase { case, failure, .. }: &FailingCase| match failure {
             Failure::Wrong { answered, expected, .. } => {
-                format!("{}: {answered:e}, expected {expected:e}", marks.code(case))
+                format!("{}: {}, expected {}", marks.code(case), exact(*answered), exact(*expected))
             }
             Failure::Fault { fault } => format!("{}: {}", marks.code(case), marks.plain(fault)),
         };
