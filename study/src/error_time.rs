@@ -39,9 +39,10 @@ use benchmarks::named;
 use grid::{Limits, Subject};
 use group::Group;
 use machine::Machine;
+pub(crate) use page::fastest_by_group as fastest;
 use peers::Peer;
 use reference::Reference;
-use study::ErrorTimeStudy;
+pub(crate) use study::ErrorTimeStudy;
 pub use study::Options;
 
 /// File of the other program's runs.
@@ -62,19 +63,19 @@ const QUICK_SCENE: &str = "pendulum-flexible";
 pub fn study(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     // First, so that a folder that cannot be written is found before the work.
     let mut files = Files::in_folder(out, FILES, &[&peers_file(options, out)])?;
-    let (seconds, _) = part(options, out, &mut files, &print)?;
+    let (study, _) = part(options, out, &mut files, &print)?;
     print(&written_lines(&files.publish()?))?;
-    print(&format!("{seconds:.1} s in all\n"))
+    print(&format!("{:.1} s in all\n", study.wall_seconds))
 }
 
-/// The study as a part of another job: measures, prints and adds to its files. Returns the run time, s, and the picture. `out` is the folder
-/// with the other program's runs.
+/// The study as a part of another job: measures, prints and adds to its files. Returns the study and the picture. `out` is the folder with
+/// the other program's runs.
 pub(crate) fn part(
     options: &Options,
     out: &Path,
     files: &mut Files,
     print: impl Fn(&str) -> Result<()>,
-) -> Result<(f64, String)> {
+) -> Result<(ErrorTimeStudy, String)> {
     let study = measure(options, out, &print)?;
     let svg = picture::svg(&study.groups)?;
     let html = page::page(&study, &svg);
@@ -83,7 +84,7 @@ pub(crate) fn part(
     files.write_json("error-time.json", &study)?;
     files.write_text("error-time.svg", svg.clone())?;
     files.write_text("error-time.html", html)?;
-    Ok((study.wall_seconds, svg))
+    Ok((study, svg))
 }
 
 fn measure(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<ErrorTimeStudy> {

@@ -17,14 +17,18 @@ pub struct Curve<'a> {
     pub stroke: Stroke,
     /// (time, value).
     pub points: Vec<(f64, f64)>,
-    /// Uncertainty of each value, drawn as a bar; empty if unknown.
-    pub uncertainty: Vec<f64>,
 }
 
 impl<'a> Curve<'a> {
-    /// A line without error bars.
+    /// A line.
     pub fn line(name: &'a str, colour: RGBColor, points: Vec<(f64, f64)>) -> Curve<'a> {
-        Curve { name, colour, stroke: Stroke::Line, points, uncertainty: Vec::new() }
+        Curve { name, colour, stroke: Stroke::Line, points }
+    }
+
+    /// The area between two curves with the same times.
+    pub fn band(name: &'a str, colour: RGBColor, upper: Vec<(f64, f64)>, lower: Vec<(f64, f64)>) -> Curve<'a> {
+        let points = upper.into_iter().chain(lower.into_iter().rev()).collect();
+        Curve { name, colour, stroke: Stroke::Band, points }
     }
 }
 
@@ -32,14 +36,10 @@ impl<'a> Curve<'a> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stroke {
     Line,
-    /// Thin and pale, for the background.
-    Faint,
-    /// Thin, on top of a faint one.
-    Thin,
     /// Broad and pale, so that a line on top of it does not hide it.
     Broad,
-    /// A dot for each value.
-    Dots,
+    /// The area inside of the points, pale.
+    Band,
 }
 
 /// One panel: a quantity over time.
@@ -48,10 +48,14 @@ pub struct Panel<'a> {
     pub quantity: String,
     /// Its curves.
     pub curves: Vec<Curve<'a>>,
+    /// Whether its axis has powers of ten.
+    pub log: bool,
 }
 
 pub const WIDTH: u32 = 960;
-const PANEL_HEIGHT: u32 = 320;
+/// Height of a panel; in pictures of many the lesser one.
+const PANEL_HEIGHTS: [u32; 2] = [320, 200];
+const MANY: usize = 3;
 pub const TITLE_HEIGHT: u32 = 44;
 
 /// Parts of a pixel.
@@ -62,14 +66,17 @@ const FINE: u32 = 4;
 /// # Errors
 /// [`Error::Picture`](crate::error::Error::Picture) with the library's reason.
 pub fn svg(title: &str, panels: &[Panel]) -> Result<String> {
-    let size = Size { width: WIDTH, head: TITLE_HEIGHT, body: PANEL_HEIGHT * panels.len() as u32, parts: FINE };
+    let height = PANEL_HEIGHTS[usize::from(panels.len() > MANY)];
+    let size = Size { width: WIDTH, head: TITLE_HEIGHT, body: height * panels.len() as u32, parts: FINE };
     canvas::svg(title, size, |_, body| {
         let points = panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
         let times = extent(points.map(|point| point.0), 0.0);
         for (n, (area, panel)) in body.split_evenly((panels.len(), 1)).iter().zip(panels).enumerate() {
             // One legend for all panels with the same curves.
             let differs = legend_entries(panel) != legend_entries(&panels[0]);
-            draw_panel(area, panel, times.clone(), n == 0 || differs)?;
+            let last = n + 1 == panels.len();
+            let legend = (n == 0 || differs).then_some(height);
+            draw_panel(area, panel, times.clone(), legend, last)?;
         }
         Ok(())
     })
@@ -79,48 +86,58 @@ fn legend_entries<'a>(panel: &'a Panel<'a>) -> impl PartialEq + 'a {
     panel.curves.iter().map(|curve| (curve.name, curve.stroke)).collect::<Vec<_>>()
 }
 
-fn draw_panel(area: &Area, panel: &Panel, times: Range<f64>, legend: bool) -> Drawn {
-    let values = extent(panel.curves.iter().flat_map(|curve| &curve.points).map(|point| point.1), 0.05);
+/// Draws a panel: with a legend, if its height is given, and the label of the time's axis, if it is the last one.
+fn draw_panel(area: &Area, panel: &Panel, times: Range<f64>, legend: Option<u32>, last: bool) -> Drawn {
+    let place = |value: f64| if panel.log { value.log10() } else { value };
+    let placed = |points: &[(f64, f64)]| -> Vec<(f64, f64)> {
+        let shown = points.iter().map(|(t, value)| (*t, place(*value)));
+        shown.filter(|(_, value)| value.is_finite()).collect()
+    };
+    let points = panel.curves.iter().flat_map(|curve| placed(&curve.points));
+    let values = extent(points.map(|point| point.1), 0.05);
     let mut chart = ChartBuilder::on(area)
         .margin(10 * FINE)
-        .x_label_area_size(40 * FINE)
+        .x_label_area_size(if last { 40 } else { 22 } * FINE)
         .y_label_area_size(80 * FINE)
         .build_cartesian_2d(times.clone(), values.clone())?;
     chart
         .configure_mesh()
-        .x_desc("time t, s")
+        .x_desc(if last { "time t, s" } else { "" })
         .y_desc(panel.quantity.as_str())
         .label_style(("sans-serif", 14 * FINE))
         .axis_style(BLACK.stroke_width(FINE))
         .bold_line_style(BLACK.mix(0.2).stroke_width(FINE))
         .light_line_style(WHITE)
         .set_all_tick_mark_size(5 * FINE)
-        // Adding 0 turns −0 into 0.
-        .y_label_formatter(&|value| format!("{}", (value * 1e6).round() / 1e6 + 0.0))
+        .y_label_formatter(&|value| match panel.log {
+            true if value.fract() == 0.0 => format!("{}", 10f64.powf(*value)),
+            true => String::new(),
+            // Adding 0 turns −0 into 0.
+            false => format!("{}", (value * 1e6).round() / 1e6 + 0.0),
+        })
         .draw()?;
     for curve in &panel.curves {
         let colour = curve.colour;
-        chart.draw_series(error_bars(curve).map(|ends| PathElement::new(ends, colour.stroke_width(FINE))))?;
         let style = match curve.stroke {
-            Stroke::Faint => colour.mix(0.4).stroke_width(FINE),
-            Stroke::Thin => colour.stroke_width(FINE),
             Stroke::Broad => colour.mix(0.35).stroke_width(4 * FINE),
             Stroke::Line => colour.stroke_width(2 * FINE),
-            Stroke::Dots => colour.filled(),
+            Stroke::Band => colour.mix(0.25).filled(),
         };
-        if curve.stroke == Stroke::Dots {
-            let dots = curve.points.iter().map(|point| Circle::new(*point, 2 * FINE, style));
-            let legend = move |(x, y)| Circle::new((x + 10 * FINE as i32, y), 2 * FINE, style);
-            chart.draw_series(dots)?.label(curve.name).legend(legend);
+        let points = placed(&curve.points);
+        if curve.stroke == Stroke::Band {
+            let (width, half) = (20 * FINE as i32, 4 * FINE as i32);
+            let legend = move |(x, y)| Rectangle::new([(x, y - half), (x + width, y + half)], style);
+            chart.draw_series([Polygon::new(points, style)])?.label(curve.name).legend(legend);
         } else {
             let legend = move |(x, y)| PathElement::new([(x, y), (x + 20 * FINE as i32, y)], style);
-            chart.draw_series(LineSeries::new(envelope(&curve.points), style))?.label(curve.name).legend(legend);
+            chart.draw_series(LineSeries::new(envelope(&points), style))?.label(curve.name).legend(legend);
         }
     }
-    if legend {
+    if let Some(height) = legend {
+        let shown: Vec<Vec<(f64, f64)>> = panel.curves.iter().map(|curve| placed(&curve.points)).collect();
         chart
             .configure_series_labels()
-            .position(emptiest_corner(panel, &times, &values))
+            .position(emptiest_corner(panel, &shown.concat(), &times, &values, height))
             .background_style(WHITE.mix(0.8))
             .margin(10 * FINE)
             .legend_area_size(30 * FINE)
@@ -131,7 +148,13 @@ fn draw_panel(area: &Area, panel: &Panel, times: Range<f64>, legend: bool) -> Dr
 }
 
 /// The corner in which a legend hides the fewest points.
-fn emptiest_corner(panel: &Panel, times: &Range<f64>, values: &Range<f64>) -> SeriesLabelPosition {
+fn emptiest_corner(
+    panel: &Panel,
+    points: &[(f64, f64)],
+    times: &Range<f64>,
+    values: &Range<f64>,
+    panel_height: u32,
+) -> SeriesLabelPosition {
     /// Pixels of a legend beside and above its lines, of a line, of a character, and of the panel's axes.
     const FRAME: (f64, f64) = (50.0, 20.0);
     const LINE: f64 = 20.0;
@@ -139,15 +162,14 @@ fn emptiest_corner(panel: &Panel, times: &Range<f64>, values: &Range<f64>) -> Se
     const AXES: (f64, f64) = (100.0, 60.0);
     let longest = panel.curves.iter().map(|curve| curve.name.chars().count()).max().unwrap_or(0) as f64;
     let width = (FRAME.0 + CHARACTER * longest) / (f64::from(WIDTH) - AXES.0);
-    let height = (FRAME.1 + LINE * panel.curves.len() as f64) / (f64::from(PANEL_HEIGHT) - AXES.1);
+    let height = (FRAME.1 + LINE * panel.curves.len() as f64) / (f64::from(panel_height) - AXES.1);
     let place = |at: f64, range: &Range<f64>| (at - range.start) / (range.end - range.start);
     let hidden = |right: bool, upper: bool| {
-        let points = panel.curves.iter().flat_map(|curve| &curve.points);
         let covered = |(t, v): &&(f64, f64)| {
             let (x, y) = (place(*t, times), place(*v, values));
             (if right { x > 1.0 - width } else { x < width }) && (if upper { y > 1.0 - height } else { y < height })
         };
-        points.filter(covered).count()
+        points.iter().filter(covered).count()
     };
     let corners = [
         (hidden(false, true), SeriesLabelPosition::UpperLeft),
@@ -157,11 +179,6 @@ fn emptiest_corner(panel: &Panel, times: &Range<f64>, values: &Range<f64>) -> Se
     ];
     let [first, ..] = corners.clone();
     corners.into_iter().min_by_key(|(hidden, _)| *hidden).unwrap_or(first).1
-}
-
-/// A line from the least to the largest possible value, for each value.
-fn error_bars(curve: &Curve) -> impl Iterator<Item = [(f64, f64); 2]> {
-    curve.points.iter().zip(&curve.uncertainty).map(|((t, v), u)| [(*t, v - u), (*t, v + u)])
 }
 
 /// The points; or, of more than the picture can resolve, the least and the largest value of each piece of time, in their order, so that

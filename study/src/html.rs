@@ -1,6 +1,7 @@
 //! HTML pages. All text is escaped.
 
 use crate::escape::html as escape;
+use crate::paper::statement::{Standing, Statement};
 use crate::table::Table;
 
 /// A page under construction.
@@ -15,6 +16,11 @@ impl Html {
     /// Adds a heading of the second level.
     pub fn heading(&mut self, text: &str) {
         self.element("h2", text);
+    }
+
+    /// Adds a heading of the second level with an anchor.
+    pub fn section(&mut self, id: &str, text: &str) {
+        self.0 += &format!("<h2 id=\"{id}\">{}</h2>\n", escape(text));
     }
 
     /// Adds a heading of the third level.
@@ -34,14 +40,30 @@ impl Html {
         self.0 += "</ul>\n";
     }
 
+    /// Adds a line for each statement: its verdict, and a link to its numbers.
+    pub fn verdicts<'a>(&mut self, statements: impl Iterator<Item = (String, &'a Statement)>) {
+        self.0 += "<div class=\"wide\"><table><tbody>\n";
+        for (id, Statement { brief, standing, .. }) in statements {
+            let verdict = format!("<td class=\"{}\">{standing}</td>", class(*standing));
+            self.0 += &format!("<tr>{verdict}<td><a href=\"#{id}\">{}</a></td></tr>\n", escape(brief));
+        }
+        self.0 += "</tbody></table></div>\n";
+    }
+
+    /// Adds a statement of the paper with its verdict, what was measured, and the numbers.
+    pub fn statement(&mut self, id: &str, statement: &Statement) {
+        let Statement { text, measure, numbers, verdict, standing, .. } = statement;
+        self.0 += &format!("<section id=\"{id}\" class=\"statement\"><h4>“{}”</h4>\n", escape(text));
+        let verdict = verdict.lines().map(escape).collect::<Vec<_>>().join("<br>");
+        self.0 += &format!("<p class=\"{}\">{verdict}</p>\n", class(*standing));
+        self.element("p", &format!("Measured: {measure}."));
+        numbers.iter().for_each(|table| self.table(table));
+        self.0 += "</section>\n";
+    }
+
     /// Adds a table.
     pub fn table(&mut self, table: &Table) {
         self.0 += &table.html();
-    }
-
-    /// Adds text whose columns are aligned by spaces.
-    pub fn preformatted(&mut self, text: &str) {
-        self.0 += &format!("<div class=\"wide\"><pre>{}</pre></div>\n", escape(text));
     }
 
     /// Adds a picture that this program has drawn, unescaped.
@@ -65,10 +87,26 @@ impl Html {
     }
 }
 
-const STYLE: &str = "body{font:16px/1.5 system-ui,sans-serif;max-width:72rem;margin:2rem auto;padding:0 1rem;color:#222;background:#fff}\
-table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}\
-th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid #ddd;vertical-align:top}\
-th{border-bottom:2px solid #888}figure{margin:1rem 0}figcaption{font-size:.8rem;color:#666}svg{max-width:100%;height:auto}pre{font-size:.8rem}.wide{overflow-x:auto}";
+/// Colours are not the only sign: each verdict is written, too.
+fn class(standing: Standing) -> &'static str {
+    match standing {
+        Standing::Holds => "holds",
+        Standing::InPart => "in-part",
+        Standing::DoesNot => "does-not",
+        Standing::Undecided => "undecided",
+    }
+}
+
+const STYLE: &str = "\
+:root{color-scheme:light dark;--ink:#222;--paper:#fff;--line:#ddd;--faint:#666;--holds:#00664b;--part:#8a5a00;--not:#a33c00;--open:#555}\
+@media(prefers-color-scheme:dark){:root{--ink:#ddd;--paper:#16181c;--line:#3a3d44;--faint:#999;--holds:#4cc9a4;--part:#e6b04f;--not:#ff9a66;--open:#aaa}}\
+body{font:16px/1.5 system-ui,sans-serif;max-width:64rem;margin:2rem auto;padding:0 1rem;color:var(--ink);background:var(--paper)}\
+a{color:inherit}table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}\
+th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid var(--line);vertical-align:top}\
+th{border-bottom:2px solid var(--faint)}figure{margin:1rem 0;background:#fff;color:#222;padding:.5rem}\
+figcaption{font-size:.85rem;color:#555}svg{max-width:100%;height:auto}.wide{overflow-x:auto}\
+.statement{border-left:3px solid var(--line);padding-left:1rem;margin:1.5rem 0}h4{margin:.2rem 0;font-weight:600}\
+.holds{color:var(--holds)}.in-part{color:var(--part)}.does-not{color:var(--not)}.undecided{color:var(--open)}";
 
 #[cfg(test)]
 mod tests {

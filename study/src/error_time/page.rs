@@ -43,9 +43,16 @@ fn which_method(html: &mut Html, study: &ErrorTimeStudy) {
         "The fastest point whose error is certain to be below each bound. At the reference's limit, that is the error plus the reference's \
          uncertainty.",
     );
+    for (name, table) in fastest_by_group(study) {
+        html.subheading(&name);
+        html.table(&table);
+    }
+}
+
+/// The fastest point for each bound of the error, of each scene and element.
+pub fn fastest_by_group(study: &ErrorTimeStudy) -> impl Iterator<Item = (String, Table)> {
     let columns = "error below, m :.0e | fastest | its error, m :.1e | time | forces, tangents, factorisations, solves";
-    for group in &study.groups {
-        html.subheading(&group.name());
+    study.groups.iter().map(move |group| {
         let cells = |(error, point): (f64, Option<&Point>)| {
             let counts = point.map(|point| {
                 let counts = &point.counts;
@@ -54,8 +61,8 @@ fn which_method(html: &mut Html, study: &ErrorTimeStudy) {
             });
             cells![error, fastest(group, error, point), point.and_then(Point::error), time_of(point), counts]
         };
-        html.table(&Table::new(columns, group.decades().into_iter().map(cells)));
-    }
+        (group.name(), Table::new(columns, group.decades().into_iter().map(cells)))
+    })
 }
 
 fn explicit_or_implicit(html: &mut Html, study: &ErrorTimeStudy) {

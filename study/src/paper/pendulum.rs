@@ -3,7 +3,7 @@
 use plotters::style::RGBColor;
 use serde::Serialize;
 
-use super::continuum::Continuum;
+use super::continuum::{Continuum, Solid};
 use super::pendulum_run::PendulumRun;
 use super::tip::Tip;
 use super::window::Window;
@@ -11,6 +11,7 @@ use crate::error::Result;
 use crate::figure::{Curve, Panel, Stroke, svg};
 use crate::palette::{BLACK, BLUE, GREEN, GREY, ORANGE, VERMILLION};
 use crate::parallel::in_parallel;
+use crate::picture::Picture;
 use ancf::model::Element;
 use ancf::run::Trajectory;
 
@@ -183,54 +184,58 @@ pub fn curves(models: &[Model]) -> Trajectory {
 }
 
 /// File names of [`pictures`].
-pub const PICTURES: [&str; 3] = ["figure3.svg", "figure4.svg", "figure4-relaxed.svg"];
+pub const PICTURES: [&str; 2] = ["figure3.svg", "figure4.svg"];
 
-/// The paper's Figure 3, and its Figure 4 for both starts, with the solid in place of ANSYS; with their file names.
-pub fn pictures(models: &[Model], rigid: &Tip, continuum: &Continuum) -> Result<Vec<(&'static str, String)>> {
+/// The paper's Figure 3, and its Figure 4 as distances from the solid, which stands in for ANSYS.
+pub fn pictures(models: &[Model], rigid: &Tip, continuum: &Continuum) -> Result<Vec<Picture>> {
     let [flexible, ..] = models else { return Ok(Vec::new()) };
     let heated = |start: &str| models.iter().filter(|model| model.kind.id.ends_with(start)).collect::<Vec<_>>();
-    // Each point minus the origin at its time.
-    let panel =
-        |quantity: &str, mut curves: Vec<Curve<'static>>, component: usize, origin: &dyn Fn(f64) -> [f64; 2]| {
-            for point in curves.iter_mut().flat_map(|curve| &mut curve.points) {
-                point.1 -= origin(point.0)[component];
-            }
-            Panel { quantity: format!("{quantity} along {}, m", ["x", "y"][component]), curves }
-        };
-    let own = |model: &Model, component| curve(model.kind.name, model.kind.colour, &model.tip, component);
+    let origin = flexible.tip.r[0];
     let displacement = |component: usize| -> Result<Panel> {
-        let mut curves = vec![curve("rigid (elliptic functions)", RIGID, rigid, component)];
-        curves.extend([flexible].into_iter().chain(heated("sudden")).map(|model| own(model, component)));
-        curves.push(solid("plane solid, 2D, sudden", "2d-sudden", continuum, component)?);
-        Ok(panel("displacement of A", curves, component, &|_| flexible.tip.r[0]))
+        let curve = |name, colour, tip: &Tip| {
+            let points = tip.t.iter().zip(&tip.r).map(|(t, r)| (*t, r[component] - origin[component]));
+            Curve::line(name, colour, points.collect())
+        };
+        let solid = curve("plane solid, 2D, sudden", SOLID, &continuum.solid("2d-sudden")?.tip);
+        let mut curves =
+            vec![Curve { stroke: Stroke::Broad, ..solid }, curve("rigid (elliptic functions)", RIGID, rigid)];
+        let own = |model: &Model| curve(model.kind.name, model.kind.colour, &model.tip);
+        curves.extend([flexible].into_iter().chain(heated("sudden")).map(own));
+        let quantity = format!("displacement of A along {}, m", ["x", "y"][component]);
+        Ok(Panel { quantity, curves, log: false })
     };
-    let difference = |start: &str, component: usize| -> Result<Panel> {
-        let mut curves: Vec<Curve> = heated(start).into_iter().map(|model| own(model, component)).collect();
-        curves.push(solid("plane solid, 2D, with its uncertainty", &format!("2d-{start}"), continuum, component)?);
-        Ok(panel("difference", curves, component, &|t| flexible.tip.at(t)))
+    let distance = |start: &str| -> Result<Panel> {
+        let solid = continuum.solid(&format!("2d-{start}"))?;
+        let mut curves: Vec<Curve> = (heated(start).into_iter())
+            .map(|model| Curve::line(model.kind.name, model.kind.colour, distances(&model.tip, &solid)))
+            .collect();
+        let uncertainty = |window: Window| [window.from, window.to].map(|t| (t, 1e3 * solid.uncertainty(window)));
+        let uncertainty = continuum.windows().flat_map(uncertainty).collect();
+        curves.push(Curve::line("the solid's own uncertainty", RIGID, uncertainty));
+        Ok(Panel { quantity: format!("distance from the solid, {start}, mm"), curves, log: true })
     };
-    let figure3 = [displacement(0)?, displacement(1)?];
-    let figure4 = |title: &str, start: &str| svg(title, &[difference(start, 0)?, difference(start, 1)?]);
     Ok(vec![
-        ("figure3.svg", svg("Figure 3: displacement of the tip A; 1D and 2D heated suddenly by 200 K", &figure3)?),
-        ("figure4.svg", figure4("Figure 4: difference from the flexible model, heated suddenly", "sudden")?),
-        (
-            "figure4-relaxed.svg",
-            figure4("Figure 4 with a relaxed start: difference from the flexible model", "relaxed")?,
-        ),
+        Picture {
+            file: PICTURES[0],
+            caption: "Displacement of the tip A over two seconds, heated suddenly by 200 K: rigid, flexible, with 1D and 2D heat, and the plane \
+                      solid. All heated curves lie on each other; the next picture tells them apart.",
+            svg: svg("Figure 3: displacement of the tip A", &[displacement(0)?, displacement(1)?])?,
+        },
+        Picture {
+            file: PICTURES[1],
+            caption: "Distance of the tip from the plane solid under the same heat, with a relaxed start (above) and a sudden one (below). Lower is \
+                      better. Grey: what the solid itself is known to.",
+            svg: svg("Figure 4: distance of each model from the solid", &[distance("relaxed")?, distance("sudden")?])?,
+        },
     ])
 }
 
-fn curve<'a>(name: &'a str, colour: RGBColor, tip: &Tip, component: usize) -> Curve<'a> {
-    Curve::line(name, colour, tip.t.iter().zip(&tip.r).map(|(t, r)| (*t, r[component])).collect())
-}
-
-/// The solid's tip as dots with error bars: lines between its positions would hide the axial wave.
-fn solid<'a>(name: &'a str, id: &str, continuum: &Continuum, component: usize) -> Result<Curve<'a>> {
-    let solid = continuum.solid(id)?;
-    let uncertainty =
-        |t: f64| continuum.windows().find(|window| window.contains(t)).map_or(0.0, |window| solid.uncertainty(window));
-    let dots = curve(name, SOLID, &solid.tip, component);
-    let uncertainty = dots.points.iter().map(|point| uncertainty(point.0)).collect();
-    Ok(Curve { stroke: Stroke::Dots, uncertainty, ..dots })
+/// Largest distance from the solid in each piece of time, mm: the distance at an instant passes zero when curves cross.
+fn distances(tip: &Tip, solid: &Solid) -> Vec<(f64, f64)> {
+    const PIECE: usize = 5;
+    let at: Vec<(f64, f64)> = (solid.tip.t.iter().zip(&solid.tip.r))
+        .filter(|(t, _)| **t > 0.0)
+        .map(|(t, r)| (*t, 1e3 * tip.distance(*t, *r)))
+        .collect();
+    at.chunks(PIECE).filter_map(|piece| piece.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))).collect()
 }

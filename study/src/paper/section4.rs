@@ -10,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::figure::{Curve, Panel, Stroke, svg};
 use crate::palette::{BLACK, BLUE, ORANGE};
 use crate::path::distance;
+use crate::picture::Picture;
 use crate::scene::builtin;
 use crate::snapshot::{self, Name, Snapshot};
 use ancf::run::Trajectory;
@@ -50,84 +51,99 @@ pub fn rows(structure: &Structure) -> Vec<A4Row> {
 }
 
 /// File names of [`pictures`].
-pub const PICTURES: [&str; 6] =
-    ["figure6.svg", "figure7.svg", "figure7-change.svg", "figure8-x.svg", "figure8-y.svg", "structure.svg"];
+pub const PICTURES: [&str; 5] = ["structure.svg", "figure6.svg", "figure7.svg", "figure8-x.svg", "figure8-y.svg"];
 
-/// Figures 6, 7 and 8, the change of Figure 7 by heat, and the structure at six instants, with their file names.
-pub fn pictures(structure: &Structure) -> Result<Vec<(&'static str, String)>> {
+/// Instants of the structure's picture, s.
+const INSTANTS: [f64; 6] = [0.0, 0.6, 1.2, 1.8, 2.4, 3.0];
+
+/// The structure at six instants, and Figures 6, 7 and 8.
+pub fn pictures(structure: &Structure) -> Result<Vec<Picture>> {
     let (flexible, heated, axis) = (&structure.fine.flexible, &structure.fine.axis_and_section, &structure.fine.axis);
-    let curve = |name, colour, signal: &Signal| Curve::line(name, colour, signal.points());
+    let curve = |name, colour, signal: &Signal| Curve::line(name, colour, signal.times(1e3).points());
     let broad = |curve| Curve { stroke: Stroke::Broad, ..curve };
-    let deflection = RODS.map(|rod| Panel {
-        quantity: format!("deflection of {rod}, m"),
-        curves: vec![
+    // The deflection of each rod, and what heat changes of it below.
+    let deflection = |rod: &str| {
+        let less = |run: &ScissorsRun| run.deflection(rod).less(&flexible.deflection(rod));
+        let curves = vec![
             broad(curve("flexible", FLEXIBLE, &flexible.deflection(rod))),
             curve("2D heat", HEATED, &heated.deflection(rod)),
-        ],
-    });
-    let difference = RODS.map(|rod| {
-        let less = |run: &ScissorsRun| run.deflection(rod).less(&flexible.deflection(rod));
-        Panel {
-            quantity: format!("change of deflection of {rod}, m"),
-            curves: vec![curve("1D heat", ORANGE, &less(axis)), curve("2D heat", HEATED, &less(heated))],
-        }
-    });
+        ];
+        let changes =
+            vec![curve("1D less flexible", ORANGE, &less(axis)), curve("2D less flexible", HEATED, &less(heated))];
+        [
+            Panel { quantity: format!("{rod}, mm"), curves, log: false },
+            Panel { quantity: "change, mm".into(), curves: changes, log: false },
+        ]
+    };
+    let instants = INSTANTS.map(|t| snapshot(heated, t));
     Ok(vec![
-        (
-            "figure6.svg",
-            svg("Figure 6: change of temperature over time (assumed between the corners)", &[temperature()?])?,
-        ),
-        ("figure7.svg", svg("Figure 7: deflection of the rods' middles", &deflection)?),
-        ("figure7-change.svg", svg("Figure 7: change of the deflection by heat (heated minus flexible)", &difference)?),
-        ("figure8-x.svg", figure8(structure, 0)?),
-        ("figure8-y.svg", figure8(structure, 1)?),
-        (
-            "structure.svg",
-            snapshot::svg("The flexible structure at six instants", &TIMES.map(|t| snapshot(flexible, t)))?,
-        ),
+        Picture {
+            file: PICTURES[0],
+            caption: "The structure under heat at six instants. b1 is held, a1 slides along y and is driven by 50 N towards b1.",
+            svg: snapshot::svg("Three scissors deploy under heat", &instants)?,
+        },
+        Picture {
+            file: PICTURES[1],
+            caption: "Change of temperature over time. The corners are the paper's inflection points; straight lines between them are assumed.",
+            svg: svg("Figure 6: change of temperature", &[temperature()?])?,
+        },
+        Picture {
+            file: PICTURES[2],
+            caption: "Deflection of the middles of three rods, and below each what heat changes of it.",
+            svg: svg("Figure 7: deflection of the rods' middles", RODS.map(deflection).as_flattened())?,
+        },
+        Picture { file: PICTURES[3], caption: FIGURE_8, svg: figure8(structure, 0)? },
+        Picture { file: PICTURES[4], caption: FIGURE_8, svg: figure8(structure, 1)? },
     ])
 }
+
+const FIGURE_8: &str = "Displacement, velocity and acceleration of a4. Of the acceleration: its mean over 20 ms, and the band in which it vibrates, \
+                        without damping and with the numerical damping of an engineer's integrator.";
 
 fn temperature() -> Result<Panel<'static>> {
     let name = "scissors-3-thermal";
     let temperature = builtin(name)?.temperature.ok_or_else(|| Error::fixture(name, "it has no temperature"))?;
     let points = temperature.history.iter().map(|&[t, change]| (t, change)).collect();
-    Ok(Panel { quantity: "change of temperature, K".into(), curves: vec![Curve::line("temperature", HEATED, points)] })
+    let curves = vec![Curve::line("temperature", HEATED, points)];
+    Ok(Panel { quantity: "change of temperature, K".into(), curves, log: false })
 }
 
-/// Displacement, velocity and acceleration of a4 along one axis. The acceleration at an instant does not converge with the mesh; below it
-/// are its mean over 20 ms, and the acceleration with numerical damping.
+/// Displacement, velocity and acceleration of a4 along one axis. The acceleration at an instant does not converge with the mesh.
 fn figure8(structure: &Structure, axis: usize) -> Result<String> {
-    let curve = |name, colour, run: &ScissorsRun, quantity: &str, stroke, change: &dyn Fn(Signal) -> Signal| {
+    let signal = |run: &ScissorsRun, quantity: &str| {
         let [x, y] = run.of_point("a4", quantity);
-        Curve { stroke, ..Curve::line(name, colour, change([x, y][axis].clone()).points()) }
+        [x, y][axis].clone()
     };
-    let lines = |family: &Family, quantity: &str, change: &dyn Fn(Signal) -> Signal| {
-        vec![
-            curve("flexible", FLEXIBLE, &family.flexible, quantity, Stroke::Broad, change),
-            curve("2D heat", HEATED, &family.axis_and_section, quantity, Stroke::Line, change),
-        ]
+    let lines = |family: &Family, quantity: &str, change: &dyn Fn(Signal) -> Signal| -> Vec<Curve<'static>> {
+        let [flexible, heated] =
+            models(family).map(|(name, colour, run)| Curve::line(name, colour, change(signal(run, quantity)).points()));
+        vec![Curve { stroke: Stroke::Broad, ..flexible }, heated]
     };
-    // The smaller vibration is on top.
-    let vibrations = |family: &Family| {
-        vec![
-            curve("2D heat", HEATED, &family.axis_and_section, "a", Stroke::Faint, &|signal| signal),
-            curve("flexible", FLEXIBLE, &family.flexible, "a", Stroke::Thin, &|signal| signal),
-        ]
+    // The heated model vibrates more: its band is below the other.
+    let vibrations = |family: &Family| -> Vec<Curve<'static>> {
+        let band = |(name, colour, run): (&'static str, RGBColor, &ScissorsRun)| {
+            let [upper, lower] = signal(run, "a").envelope(WINDOW);
+            Curve::band(name, colour, upper, lower)
+        };
+        models(family).into_iter().rev().map(band).collect()
     };
     let (fine, damped) = (&structure.fine, &structure.damped);
     let start = fine.flexible.position("a4", 0.0)[axis];
     let name = ["x", "y"][axis];
-    let panel = |quantity: String, curves: Vec<Curve<'static>>| Panel { quantity, curves };
+    let panel = |quantity: &str, curves| Panel { quantity: quantity.into(), curves, log: false };
     let panels = [
-        panel(format!("displacement along {name}, m"), lines(fine, "", &|signal| signal.shifted(-start))),
-        panel(format!("velocity along {name}, m/s"), lines(fine, "v", &|signal| signal)),
-        panel(format!("acceleration along {name}, m/s²"), vibrations(fine)),
-        panel("its mean over 20 ms, m/s²".into(), lines(fine, "a", &|signal| signal.mean(WINDOW))),
-        panel("acceleration, with damping, m/s²".into(), vibrations(damped)),
+        panel("displacement, m", lines(fine, "", &|signal| signal.shifted(-start))),
+        panel("velocity, m/s", lines(fine, "v", &|signal| signal)),
+        panel("mean acceleration, m/s²", lines(fine, "a", &|signal| signal.mean(WINDOW))),
+        panel("its band, m/s²", vibrations(fine)),
+        panel("band, damped, m/s²", vibrations(damped)),
     ];
-    let title = "acceleration at an instant does not converge with the mesh, see its mean";
-    svg(&format!("Figure 8: a4 along {name}; {title}"), &panels)
+    svg(&format!("Figure 8: a4 along {name}"), &panels)
+}
+
+/// Name, colour and run of the two models that are compared.
+fn models(family: &Family) -> [(&'static str, RGBColor, &ScissorsRun); 2] {
+    [("flexible", FLEXIBLE, &family.flexible), ("2D heat", HEATED, &family.axis_and_section)]
 }
 
 /// The rods through end, pivot and end; b1 stays at the origin.
@@ -143,8 +159,12 @@ fn snapshot(run: &ScissorsRun, t: f64) -> Snapshot {
         let text = format!("{rail}{k}");
         Name { at: point(text.clone()), text, above }
     };
+    let (a1, length) = (point("a1".into()), 0.6);
     Snapshot {
         title: format!("t = {t} s"),
+        held: vec![point("b1".into())],
+        guided: vec![a1],
+        force: Some([(a1.0, a1.1 + length), a1]),
         rods: (1..=3).flat_map(|k| [rod("a", "b", k), rod("b", "a", k)]).collect(),
         names: (1..=4).flat_map(|k| [name("a", k, true), name("b", k, false)]).collect(),
     }

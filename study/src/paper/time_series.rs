@@ -59,6 +59,24 @@ impl Signal {
         Signal { start: self.start + half as f64 * self.step, values, ..*self }
     }
 
+    /// Largest and smallest sample of each piece of time as long as a window, at its middle.
+    pub fn envelope(&self, window: f64) -> [Vec<(f64, f64)>; 2] {
+        let piece = ((window / self.step).round() as usize).max(1);
+        let extreme = |wanted: fn(f64, f64) -> f64| {
+            let of_piece = |(n, samples): (usize, &[f64])| {
+                let middle = self.start + (n as f64 + 0.5) * piece as f64 * self.step;
+                (middle, samples.iter().copied().fold(samples[0], wanted))
+            };
+            self.values.chunks_exact(piece).enumerate().map(of_piece).collect()
+        };
+        [extreme(f64::max), extreme(f64::min)]
+    }
+
+    /// The signal times a number.
+    pub fn times(&self, factor: f64) -> Signal {
+        Signal { values: self.values.iter().map(|value| factor * value).collect(), ..*self }
+    }
+
     /// Vibration faster than a window: the signal minus its mean over the window.
     pub fn vibration(&self, window: f64) -> Signal {
         let mean = self.mean(window);
@@ -102,6 +120,12 @@ mod tests {
     fn vibration_is_what_the_mean_leaves() {
         let vibration = signal().vibration(0.1).within(0.1, 0.9);
         assert!((vibration.rms() - 0.5f64.sqrt()).abs() < 1e-12 && (vibration.largest() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn an_envelope_has_the_extremes() {
+        let [upper, lower] = Signal::new(0.5, vec![1.0, 3.0, -2.0, 0.0, 9.0]).times(2.0).envelope(1.0);
+        assert_eq!((upper, lower), (vec![(0.5, 6.0), (1.5, 0.0)], vec![(0.5, 2.0), (1.5, -4.0)]));
     }
 
     #[test]

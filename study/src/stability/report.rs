@@ -36,13 +36,12 @@ pub fn text(study: &StabilityStudy) -> String {
 }
 
 /// The verdicts of each case, counted.
-pub fn summary(study: &StabilityStudy) -> String {
+pub fn counts_table(study: &StabilityStudy) -> Table {
     let columns = "case | right :.0 | with warning :.0 | refused :.0 | WRONG :.0";
     let cells = |name: &str, [right, warned, refused, wrong]: [usize; 4]| cells![name, right, warned, refused, wrong];
     let cases = study.cases.iter().filter(|swept| !swept.rows.is_empty());
     let rows = cases.map(|swept| cells(swept.case.name, counts(swept.rows.iter())));
-    let table = Table::new(columns, rows.chain([cells("together", counts(study.rows()))]));
-    format!("Stiff and extreme cases: the fast rows; `ancf stability` has all\n\n{}\n", table.text())
+    Table::new(columns, rows.chain([cells("together", counts(study.rows()))]))
 }
 
 /// Numbers of rows that are right, right with warning, refused and WRONG.

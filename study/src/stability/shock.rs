@@ -56,8 +56,13 @@ fn trials() -> Vec<Trial> {
         }
     };
     for elements in [4, 16, 64] {
+        // An estimate is made of some six runs: 50,000 implicit steps of 64 elements, six times, would take minutes and are a tenth of the
+        // step that the wave through an element asks for.
+        let shortest = if elements < 64 { 1e-5 } else { 1e-4 };
+        let steps = [1e-2, 5e-3, 2.5e-3, 1e-3, 5e-4, 1e-4, 1e-5];
+        let steps = steps.iter().copied().filter(|step| *step >= shortest).collect::<Vec<_>>();
         for method in [Method::EnergyMomentum, Method::GeneralizedAlpha, Method::Gauss] {
-            add(method, elements, &[1e-2, 5e-3, 2.5e-3, 1e-3, 5e-4, 1e-4, 1e-5]);
+            add(method, elements, &steps);
         }
         for method in [Method::Explicit, Method::Nystrom] {
             add(method, elements, &[1e-2, 1e-3, 1e-4, 1e-5]);
