@@ -488,12 +488,12 @@ fn rods_may_share_both_ends_and_the_pivot() {
     Model::parse(&text.replace(r#", "r": [0, 2], "s": [2, 0]"#, ""), "test").unwrap().into_scene();
 }
 
-/// The scene that the README shows is one.
+/// The scene that `docs/simulate.md` shows is one.
 #[test]
-fn the_readme_shows_a_scene_that_runs() {
-    let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
-    let text = readme.split("```json").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
-    let mut scene = Model::parse(text, "README.md").unwrap().into_scene();
+fn the_page_shows_a_scene_that_runs() {
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/simulate.md")).unwrap();
+    let text = page.split("```json").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let mut scene = Model::parse(text, "simulate.md").unwrap().into_scene();
     scene.time.end = 0.06;
     let run = ancf::run::run(&scene).unwrap();
     assert_eq!(run.trajectory.rows.len(), 7);

@@ -55,8 +55,8 @@ fn built_in_scenes_are_valid() {
     for name in builtin_names() {
         assert_valid(&scenes, &serde_json::from_str(&builtin_text(name).unwrap()).unwrap());
     }
-    let readme = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md")).unwrap();
-    let text = readme.split("```json").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/simulate.md")).unwrap();
+    let text = page.split("```json").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     assert_valid(&scenes, &serde_json::from_str(text).unwrap());
 }
 

@@ -22,7 +22,7 @@ def write(page):
     page.words("""Fifteen Gauss points with matrices of 14 rows are the formulas as they read, not how a program
         should run. Four steps make the same numbers faster: the kernel that takes them
         is 350 times as fast in the force and 130 times in the tangent (`cargo bench --bench kernel`, measured in
-        `docs/EVIDENCE.md`).""")
+        `docs/evidence.md`).""")
     page.words("""**First, split the position.** (A.1) is linear in {y}: an axis and a director, whose derivatives
         along the axis are marked by a prime.""", y=y)
     components = Y.r_components()
