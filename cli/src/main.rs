@@ -85,6 +85,11 @@ enum Command {
         #[command(flatten)]
         out: Out,
     },
+    /// The paper's statements on its structure under every reading of the figures that its text does not have; writes readings.json.
+    Readings {
+        #[command(flatten)]
+        out: Out,
+    },
     /// Say what is computed for a scene, what is left out, and why.
     Plan {
         /// Name of a built-in scene, or path of a scene file.
@@ -168,6 +173,7 @@ fn main() -> ExitCode {
         Some(Command::Equations { state }) => print_equations(state),
         Some(Command::Conform(arguments)) => conform::conform(arguments),
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
+        Some(Command::Readings { out }) => ancf_study::readings(&out.folder, print).map_err(Error::from),
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
         Some(Command::Scenes) => list_scenes(),
         Some(Command::Scene { name, scissors }) => print_scene(name, scissors),

@@ -1,6 +1,7 @@
 //! What the main job says first: what was checked, and what the paper has right and wrong.
 
-use crate::paper::statement::{Standing, Statement};
+use crate::paper::standing::Standing;
+use crate::paper::statement::Statement;
 use crate::table::{Table, cells};
 
 /// Comparisons of one kind, counted.

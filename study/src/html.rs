@@ -1,7 +1,8 @@
 //! HTML pages. All text is escaped.
 
 use crate::escape::html as escape;
-use crate::paper::statement::{Standing, Statement};
+use crate::paper::standing::Standing;
+use crate::paper::statement::Statement;
 use crate::table::Table;
 
 /// A page under construction.

@@ -24,3 +24,4 @@ pub mod stability;
 mod table;
 
 pub use main_job::main_job;
+pub use paper::readings::study as readings;

@@ -1,5 +1,6 @@
 //! All runs of the deployable structure of Section 4.
 
+use super::reading::Reading;
 use super::time_series::Signal;
 use crate::error::Result;
 use crate::parallel::in_parallel;
@@ -38,6 +39,7 @@ enum Heat {
 /// Setup of one run.
 #[derive(Clone, Copy, Debug)]
 struct ScissorsSetup {
+    reading: Reading,
     heat: Heat,
     elements: usize,
     step: f64,
@@ -101,10 +103,11 @@ impl ScissorsRun {
 }
 
 impl Structure {
-    /// Runs all families.
-    pub fn simulate() -> Result<Structure> {
+    /// Runs all families of a reading.
+    pub fn simulate(reading: &Reading) -> Result<Structure> {
         let family = |elements, step, damped, energy| {
             [Heat::None, Heat::Axis, Heat::AxisAndSection, Heat::HotHalf].map(|heat| ScissorsSetup {
+                reading: *reading,
                 heat,
                 elements,
                 step,
@@ -137,10 +140,12 @@ fn scene(setup: &ScissorsSetup) -> Result<Scene> {
         Heat::Axis => ThermalModel::OneD,
         Heat::AxisAndSection | Heat::HotHalf => ThermalModel::TwoD,
     };
-    let mut scene = Scissors { elements: setup.elements, model, ..Scissors::new(3) }.scene()?;
+    let Reading { angle, .. } = setup.reading;
+    let mut scene = Scissors { elements: setup.elements, model, angle, ..Scissors::new(3) }.scene()?;
     if let (Heat::HotHalf, Some(temperature)) = (setup.heat, &mut scene.temperature) {
         temperature.history = HOT_HALF.to_vec();
     }
+    setup.reading.apply(&mut scene);
     if setup.damped {
         (scene.time.method, scene.time.rho_inf) = (Method::GeneralizedAlpha, DAMPED_RHO);
     }

@@ -1,52 +1,10 @@
 //! A statement of the paper beside what was measured.
 
-use std::fmt;
-
 use super::claims_section3::{PendulumStatement, WindowFinding};
 use super::claims_section4::StructureStatement;
 use super::locking::Locking;
-use super::outcome::Outcome;
+use super::standing::Standing;
 use crate::table::{Cell, Table, cells};
-
-/// Whether a statement holds, all measurements together.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Standing {
-    Holds,
-    /// For some windows, starts or rods, and not for others.
-    InPart,
-    DoesNot,
-    Undecided,
-}
-
-impl Standing {
-    /// All, the best first.
-    pub const ALL: [Standing; 4] = [Standing::Holds, Standing::InPart, Standing::DoesNot, Standing::Undecided];
-
-    fn of<'a>(outcomes: impl Iterator<Item = &'a Outcome> + Clone) -> Standing {
-        let all = |wanted: &Outcome| outcomes.clone().all(|outcome| outcome == wanted);
-        let any = |wanted: fn(&Outcome) -> bool| outcomes.clone().any(wanted);
-        if all(&Outcome::Holds) {
-            Standing::Holds
-        } else if any(|outcome| matches!(outcome, Outcome::Holds | Outcome::OnlyFor(_))) {
-            Standing::InPart
-        } else if any(|outcome| *outcome == Outcome::DoesNot) {
-            Standing::DoesNot
-        } else {
-            Standing::Undecided
-        }
-    }
-}
-
-impl fmt::Display for Standing {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(match self {
-            Standing::Holds => "holds",
-            Standing::InPart => "holds in part",
-            Standing::DoesNot => "does not hold",
-            Standing::Undecided => "cannot be decided",
-        })
-    }
-}
 
 /// A statement with its numbers and the verdict.
 pub struct Statement {
@@ -94,8 +52,7 @@ impl From<&PendulumStatement> for Statement {
     fn from(statement: &PendulumStatement) -> Statement {
         let PendulumStatement { brief, statement: text, measure, limits, sudden, relaxed, verdict } = statement;
         let columns: String = sudden.iter().map(|finding| format!(" | {}", finding.window)).collect();
-        let number =
-            |finding: &WindowFinding| Cell::from(format!("{:.2e} ± {:.0e}", finding.value, finding.uncertainty));
+        let number = |finding: &WindowFinding| Cell::from(measured(finding.value, finding.uncertainty));
         let row = |name: &str, findings: &[WindowFinding]| {
             std::iter::once(Cell::from(name)).chain(findings.iter().map(number)).collect::<Vec<_>>()
         };
@@ -161,17 +118,5 @@ mod tests {
         assert_eq!(measured(0.1725, 0.0013), "0.172 ± 0.001");
         assert_eq!(measured(1.77e-5, 6e-6), "1.77e-5 ± 6e-6");
         assert_eq!(measured(8.97, f64::INFINITY), "8.97e0, uncertain");
-    }
-
-    #[test]
-    fn all_measurements_together_decide() {
-        use Outcome::{DoesNot, Holds, OnlyFor, Undecided};
-        let standing = |outcomes: &[Outcome]| Standing::of(outcomes.iter());
-        assert_eq!(standing(&[Holds, Holds]), Standing::Holds);
-        assert_eq!(standing(&[Holds, DoesNot]), Standing::InPart);
-        assert_eq!(standing(&[Holds, Undecided]), Standing::InPart);
-        assert_eq!(standing(&[OnlyFor(vec!["a"])]), Standing::InPart);
-        assert_eq!(standing(&[DoesNot, Undecided]), Standing::DoesNot);
-        assert_eq!(standing(&[Undecided, Undecided]), Standing::Undecided);
     }
 }

@@ -1,0 +1,228 @@
+"""Numbers and pictures of the pages, from results of runs: nobody copies them by hand.
+
+    python3 docs/numbers.py --take main out            # keeps the results of `ancf` that are in out/, with their pictures
+    python3 docs/numbers.py --take stability out       # keeps those of `ancf stability`
+    python3 docs/numbers.py                            # writes the blocks of the pages from docs/results/
+    python3 docs/numbers.py --check [--run main out]   # compares the pages with docs/results/, and those with a new run
+
+A block stands between `<!-- NAME:begin -->` and `<!-- NAME:end -->`. Needs Python 3.11 and nothing else.
+"""
+
+import argparse
+import json
+import math
+import platform
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+PAGES = Path(__file__).parent
+ROOT = PAGES.parent
+RESULTS = PAGES / "results"
+COMMANDS = {
+    "main": "cargo run --release",
+    "readings": "cargo run --release -- readings",
+    "stability": "cargo run --release -- stability",
+}
+# The main job reads this one.
+READINGS = ROOT / "study" / "readings.json"
+PICTURES = {"readings": (), "main": ("figure3.svg", "figure4.svg", "figure7.svg", "figure8-y.svg", "structure.svg"), "stability": ("stability.svg",)}
+# A rerun on another machine may differ by roundings, which some of these runs amplify.
+AGREES = 1e-3
+FIRST_VALUES = 3
+
+
+def power(value, digits=1):
+    """A number as people write it: 3.7·10⁻⁵."""
+    if value == 0:
+        return "0"
+    if 1e-2 <= abs(value) < 1e4:
+        return f"{value:.{digits + 1}g}"
+    mantissa, exponent = f"{value:.{digits}e}".split("e")
+    return f"{mantissa}·10{str(int(exponent)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+
+
+def table(head, rows):
+    """A table in Markdown."""
+    lines = [head, ["---"] * len(head), *rows]
+    return "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
+
+
+def statements_3(main):
+    """The paper's statements on its pendulum."""
+    locking = main["locking"]
+    by_nu = {case["nu"]: [ratio for _, ratio in case["ratios"]] for case in locking["small_load"] if case["poisson"] == "full"}
+    tips = "; ".join(f"ν = {nu}: {min(ratios):.4f} … {max(ratios):.4f}" for nu, ratios in by_nu.items())
+    large = ", ".join(f"{power(error)} ({elements})" for elements, error in locking["large_bending"])
+    rows = [[locking["statement"], f"one element over Timoshenko's cantilever, L/h = 2 … 1000, {tips}; PL²/EI = 10, h/L = 10⁻³: the tip's "
+             f"distance from the elastica over L (elements) {large}", locking["verdict"]]]
+    for claim in main["statements"]:
+        numbers = [", ".join(power(finding["value"]) for finding in claim[start]) for start in ("sudden", "relaxed")]
+        limits = ", ".join(str(limit) for limit in claim["limits"])
+        rows.append([claim["statement"], f"{claim['measure']} {limits}. Sudden: {numbers[0]}. Relaxed: {numbers[1]}",
+                     claim["verdict"].replace("\n", "<br>")])
+    return table(["statement", "measured", "verdict"], rows)
+
+
+def distances(main):
+    """How far models are from the solid."""
+    rows = []
+    for model in ("flexible", "2d-relaxed", "2d-sudden", "flexible-eb"):
+        its = [row for row in main["errors"] if row["model"] == model]
+        largest = lambda key, until: max(row[key] for row in its if row["window"]["to"] <= until)
+        rows.append([model, *(power(largest("distance", until)) for until in (0.5, 1, 2)),
+                     *(power(largest(key, 2)) for key in ("space", "time", "reference"))])
+    return table(["", "to 0.5 s", "to 1 s", "to 2 s", "to 2 s: twice the elements change", "twice the step", "the solid's own"], rows)
+
+
+def tips(main):
+    """Positions of the tip."""
+    models = ("flexible", "2d-sudden", "2d-relaxed")
+    of = {(row["model"], row["t"]): row for row in main["tip"]}
+    cell = lambda row: f"{row['tip'][0]:.6f}, {row['tip'][1]:.6f} ({power(row['change_with_the_other_mesh'])})".replace("-", "−")
+    rows = [[f"{t} s", *(cell(of[model, t]) for model in models)] for t in (0.25, 0.5, 1.0, 1.5, 2.0)]
+    return table(["t", *(f"{model} x, y" for model in models)], rows)
+
+
+def shear(main):
+    """The flexible tip without and with a shear correction."""
+    window = lambda row: f"{row['window']['from']} … {row['window']['to']} s"
+    return table(["window", "distance from the solid, m", "with a shear correction factor of 5/6, m"],
+                 [[window(row), power(row["distance"]), power(row["corrected"])] for row in main["shear"]])
+
+
+def statements_4(main):
+    """The paper's statements on its structure."""
+    families = ("undamped", "half_the_elements", "twice_the_step", "damped")
+    shown = lambda numbers: ", ".join(numbers.split(", ")[:FIRST_VALUES]) + (" …" if numbers.count(", ") >= FIRST_VALUES else "")
+    rows = [[claim["statement"], claim["measure"], *(shown(claim[family]["numbers"]) for family in families), claim["verdict"]]
+            for claim in main["claims"]]
+    return table(["statement", "measured", "undamped", "half the elements", "twice the step", "damped", "verdict"], rows)
+
+
+def readings(result):
+    """Whether the paper's statements on its structure hold under other readings."""
+    names = [read["reading"] for read in result["readings"]]
+    rows = [[brief, *(read["standings"][n][1].replace("-", " ") for read in result["readings"])]
+            for n, (brief, _) in enumerate(result["readings"][0]["standings"])]
+    return table(["statement", *names], rows) + f"\n\n{made(result)}"
+
+
+def made(result):
+    """How results were obtained."""
+    return f"`{result['command']}` at commit {result['commit']}, {result['machine']}."
+
+
+def stability_counts(result):
+    """Rows of the stability table by case and verdict."""
+    verdicts = ("right", "right with warning", "refused", "WRONG")
+    rows = [[case, *(str(counts[verdict]) for verdict in verdicts), str(counts["~"])] for case, counts in result["cases"].items()]
+    total = ["together", *(str(sum(int(row[n]) for row in rows)) for n in range(1, 6))]
+    return table(["case", *verdicts, "~"], [*rows, total]) + f"\n\n{made(result)}"
+
+
+BLOCKS = {
+    ("paper.md", "statements-3", "main"): statements_3,
+    ("paper.md", "distances", "main"): distances,
+    ("paper.md", "tips", "main"): tips,
+    ("paper.md", "shear", "main"): shear,
+    ("paper.md", "statements-4", "main"): statements_4,
+    ("paper.md", "readings", "readings"): readings,
+    ("paper.md", "made", "main"): made,
+    ("stability.md", "counts", "stability"): stability_counts,
+}
+
+
+def kept(name):
+    """The file of a result."""
+    return READINGS if name == "readings" else RESULTS / f"{name}.json"
+
+
+def slim(name, result):
+    """What the pages need of a result."""
+    if name == "readings":
+        return {"readings": result["readings"]}
+    if name == "main":
+        return {key: value for key, value in result.items() if key not in ("run", "wall_seconds")}
+    cases = {}
+    for case in result["cases"]:
+        counts = dict.fromkeys(("right", "right with warning", "refused", "WRONG", "~"), 0)
+        for row in case["rows"]:
+            counts[row["verdict"]] += 1
+            counts["~"] += row["loose"]
+        cases[case["name"]] = counts
+    return {"cases": cases}
+
+
+def take(name, folder):
+    """Keeps a result and its pictures."""
+    RESULTS.mkdir(exist_ok=True)
+    commit = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
+    cpus = Path("/proc/cpuinfo")
+    processors = re.findall(r"^model name\s*: (.*)$", cpus.read_text(encoding="utf-8"), re.MULTILINE) if cpus.exists() else []
+    machine = f"{processors[0] if processors else platform.processor()}, {len(processors) or '?'} cores, {platform.system()}"
+    made_by = {"command": COMMANDS[name], "commit": commit, "machine": machine}
+    result = made_by | slim(name, json.loads((folder / f"{name}.json").read_text(encoding="utf-8")))
+    kept(name).write_text(json.dumps(result, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
+    for picture in PICTURES[name]:
+        shutil.copy(folder / picture, PAGES / picture)
+
+
+def pages(check):
+    """Writes the blocks, or compares them. Returns what differs."""
+    faults = []
+    for (page, block, name), write in BLOCKS.items():
+        path, begin, end = PAGES / page, f"<!-- {block}:begin -->\n", f"\n<!-- {block}:end -->"
+        text = path.read_text(encoding="utf-8")
+        if text.count(begin) != 1 or text.count(end) != 1:
+            faults.append(f"{page}: needs the block {block} once")
+            continue
+        before, rest = text.split(begin)
+        shown, after = rest.split(end)
+        new = write(json.loads(kept(name).read_text(encoding="utf-8")))
+        if check and shown != new:
+            faults.append(f"docs/{page}: the block {block} is not what {kept(name).relative_to(ROOT)} gives: run docs/numbers.py")
+        elif not check:
+            path.write_text(before + begin + new + end + after, encoding="utf-8")
+    return faults
+
+
+def differences(old, new, place):
+    """Where a new run differs from what is kept."""
+    if isinstance(old, dict) and isinstance(new, dict):
+        return [fault for key in old if key not in ("command", "commit", "machine")
+                for fault in differences(old[key], new.get(key), f"{place}.{key}")]
+    if isinstance(old, list) and isinstance(new, list) and len(old) == len(new):
+        return [fault for n, (a, b) in enumerate(zip(old, new)) for fault in differences(a, b, f"{place}[{n}]")]
+    # Distances of right runs from their oracle are roundings in part.
+    if isinstance(old, float) and isinstance(new, float) and math.isclose(old, new, rel_tol=AGREES, abs_tol=1e-9):
+        return []
+    return [] if old == new else [f"{place}: {old} is kept, the run gives {new}"]
+
+
+def main():
+    """Takes, writes or compares."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--take", nargs=2, metavar=("NAME", "FOLDER"), help=f"keep the result of a run: {', '.join(COMMANDS)}")
+    parser.add_argument("--check", action="store_true", help="compare, and write nothing")
+    parser.add_argument("--run", nargs=2, metavar=("NAME", "FOLDER"), help="compare what is kept with the result of a run, too")
+    options = parser.parse_args()
+    for given in (options.take, options.run):
+        if given and given[0] not in COMMANDS:
+            parser.error(f"{given[0]} is no result: {', '.join(COMMANDS)}")
+    if options.take:
+        take(options.take[0], Path(options.take[1]))
+    faults = pages(options.check)
+    if options.run:
+        name, folder = options.run
+        old, new = (json.loads(path.read_text(encoding="utf-8")) for path in (kept(name), Path(folder) / f"{name}.json"))
+        faults += differences(old, slim(name, new), name)
+    for fault in faults:
+        print(f"FAULT: {fault}")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
