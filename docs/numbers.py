@@ -179,6 +179,9 @@ def pages(check):
         if text.count(begin) != 1 or text.count(end) != 1:
             faults.append(f"{page}: needs the block {block} once")
             continue
+        if not kept(name).exists():
+            faults.append(f"{page}: {kept(name).relative_to(ROOT)} is missing: run `{COMMANDS[name]}`, then docs/numbers.py --take {name} out")
+            continue
         before, rest = text.split(begin)
         shown, after = rest.split(end)
         new = write(json.loads(kept(name).read_text(encoding="utf-8")))

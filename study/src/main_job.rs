@@ -109,9 +109,9 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let agreeing = readings.agree(&of_structure);
     checked(Check::of("the structure's statements under the assumed reading, as they were kept", agreeing))?;
     let of_structure: Vec<Statement> = of_structure.into_iter().map(|statement| readings.judge(statement)).collect();
-    print("\nWhat the paper says of its pendulum (Section 3), measured\n")?;
+    print("\nThe paper on its pendulum (Section 3), measured\n")?;
     print(&first_screen::verdicts(&of_pendulum))?;
-    print("What it says of its structure (Section 4), under 8 readings of figures that its text does not have\n")?;
+    print("The paper on its structure (Section 4), under 8 readings of figures that its text does not have\n")?;
     print(&first_screen::verdicts(&of_structure))?;
 
     // On an idle machine: it measures times.

@@ -115,7 +115,7 @@ impl Start<'_> {
 /// Statements on the curves. "Good agreement": curves that coincide in a plot of the whole motion.
 const CLAIMS: [Claim; 9] = [
     Claim {
-        brief: "2D agrees with ANSYS over the whole motion",
+        brief: "2D agrees with ANSYS",
         statement: "The proposed model is in good agreement with ANSYS within a large overall motion.",
         measure: "largest distance of 2D from the solid, m: below",
         value: |start, window| start.gap(start.plane, window),
@@ -123,7 +123,7 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.01, 0.02, 0.05],
     },
     Claim {
-        brief: "1D agrees with ANSYS over the whole motion",
+        brief: "1D agrees with ANSYS",
         statement: "The 1D model agrees as well.",
         measure: "largest distance of 1D, Euler–Bernoulli, from the solid, m: below",
         value: |start, window| start.gap(start.euler_bernoulli, window),
@@ -131,7 +131,7 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.01, 0.02, 0.05],
     },
     Claim {
-        brief: "heat changes 2D as it changes ANSYS",
+        brief: "heat changes both alike",
         statement: "The difference that heat makes is approximately that of ANSYS in the proposed model.",
         measure: "largest distance of 2D from the solid over the solid's displacement by heat: below",
         value: |start, window| start.share(start.plane, window),
@@ -139,7 +139,7 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.05, 0.1, 0.2],
     },
     Claim {
-        brief: "1D has a huge gap with ANSYS",
+        brief: "1D's gap is huge",
         statement: "The 1D model has a huge gap with ANSYS.",
         measure: "largest distance of 1D, Euler–Bernoulli, from the solid over the solid's displacement by heat: above",
         value: |start, window| start.share(start.euler_bernoulli, window),
@@ -147,7 +147,7 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.1, 0.25, 0.5],
     },
     Claim {
-        brief: "1D heat in the paper's own element has a huge gap, too",
+        brief: "so is that of 2D's element with 1D heat",
         statement: "… also if the paper's own element is heated along its axis only.",
         measure: "largest distance of 1D, the paper's element, from the solid over the solid's displacement by heat: above",
         value: |start, window| start.share(start.axis, window),
@@ -155,7 +155,7 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.1, 0.25, 0.5],
     },
     Claim {
-        brief: "1D has a relatively large gap",
+        brief: "1D's gap is relatively large",
         statement: "The 1D model has a relatively large gap (conclusion 2).",
         measure: "largest distance from the solid of 1D, Euler–Bernoulli, over that of 2D: above",
         value: |start, window| start.times(start.euler_bernoulli, start.plane, window),
@@ -163,7 +163,7 @@ const CLAIMS: [Claim; 9] = [
         limits: &[1.5, 2.0, 5.0],
     },
     Claim {
-        brief: "1D heat in the paper's own element has a relatively large gap",
+        brief: "and that of 2D's element with 1D heat",
         statement: "… also if the paper's own element is heated along its axis only.",
         measure: "largest distance from the solid of 1D, the paper's element, over that of 2D: above",
         value: |start, window| start.times(start.axis, start.plane, window),
@@ -179,7 +179,7 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.0],
     },
     Claim {
-        brief: "2D is more precise than 1D heat in the paper's own element",
+        brief: "and than itself with 1D heat",
         statement: "… also if the paper's own element is heated along its axis only.",
         measure: "largest distance from the solid of 1D, the paper's element, minus that of 2D, m: above",
         value: |start, window| start.farther(start.axis, start.plane, window),

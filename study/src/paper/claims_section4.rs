@@ -67,7 +67,7 @@ fn verdict([undamped, half_the_elements, twice_the_step, damped]: [&Outcome; 4])
 /// Every statement that can be measured, in the paper's order.
 const CLAIMS: [Claim; 10] = [
     Claim {
-        brief: "deflections with and without heat differ greatly after 2.7 s",
+        brief: "deflections differ greatly after 2.7 s",
         statement: "After 2.7 s the deflections with and without heat differ greatly.",
         measure: "r.m.s. of 2D minus flexible in 2.7 … 3 s over the largest of the nine 0.3 s before, per rod: above 1",
         find: |family| {
@@ -81,7 +81,7 @@ const CLAIMS: [Claim; 10] = [
         },
     },
     Claim {
-        brief: "heat brings small vibrations of the deflections",
+        brief: "heat brings small vibrations",
         statement: "Heat brings many small vibrations of the deflections, clearly seen after 2.7 s.",
         measure: "r.m.s. vibration of 2D over that of flexible in 2.7 … 3 s, per rod: above 1.05",
         find: |family| {
