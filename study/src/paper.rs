@@ -1,5 +1,6 @@
 //! The paper's Sections 3 and 4, recomputed and compared with the oracles.
 
+pub mod animation;
 pub mod balance;
 pub mod claims_section3;
 pub mod claims_section4;

@@ -61,7 +61,7 @@ const STRUCTURE: [Scene; 3] = [
         title: "The structure",
         text: "Three scissor-like elements of Table 2, driven by 50 N at a1. Figures 5 and 6 are not in the paper's text: 80° at the start, the \
                supports, and straight lines between the temperature's corners are assumed.",
-        pictures: &["structure.svg", "figure6.svg"],
+        pictures: &["deployment.svg", "structure.svg", "figure6.svg"],
         statements: 0..0,
     },
     Scene {

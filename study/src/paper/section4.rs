@@ -3,6 +3,7 @@
 use plotters::style::RGBColor;
 use serde::Serialize;
 
+use super::animation;
 use super::claims_section4::WINDOW;
 use super::scissors::{Family, RODS, STEP, ScissorsRun, Structure};
 use super::time_series::Signal;
@@ -51,7 +52,8 @@ pub fn rows(structure: &Structure) -> Vec<A4Row> {
 }
 
 /// File names of [`pictures`].
-pub const PICTURES: [&str; 5] = ["structure.svg", "figure6.svg", "figure7.svg", "figure8-x.svg", "figure8-y.svg"];
+pub const PICTURES: [&str; 6] =
+    ["deployment.svg", "structure.svg", "figure6.svg", "figure7.svg", "figure8-x.svg", "figure8-y.svg"];
 
 /// Instants of the structure's picture, s.
 const INSTANTS: [f64; 6] = [0.0, 0.6, 1.2, 1.8, 2.4, 3.0];
@@ -79,31 +81,40 @@ pub fn pictures(structure: &Structure) -> Result<Vec<Picture>> {
     Ok(vec![
         Picture {
             file: PICTURES[0],
+            caption: "Three scissors deploy under heat and cold: the rods have the colour of their temperature.",
+            svg: animation::svg(heated, &history()?),
+        },
+        Picture {
+            file: PICTURES[1],
             caption: "The structure under heat at six instants. b1 is held, a1 slides along y and is driven by 50 N towards b1.",
             svg: snapshot::svg("Three scissors deploy under heat", &instants)?,
         },
         Picture {
-            file: PICTURES[1],
+            file: PICTURES[2],
             caption: "Change of temperature over time. The corners are the paper's inflection points; straight lines between them are assumed.",
             svg: svg("Figure 6: change of temperature", &[temperature()?])?,
         },
         Picture {
-            file: PICTURES[2],
+            file: PICTURES[3],
             caption: "Deflection of the middles of three rods, and below each what heat changes of it.",
             svg: svg("Figure 7: deflection of the rods' middles", RODS.map(deflection).as_flattened())?,
         },
-        Picture { file: PICTURES[3], caption: FIGURE_8, svg: figure8(structure, 0)? },
-        Picture { file: PICTURES[4], caption: FIGURE_8, svg: figure8(structure, 1)? },
+        Picture { file: PICTURES[4], caption: FIGURE_8, svg: figure8(structure, 0)? },
+        Picture { file: PICTURES[5], caption: FIGURE_8, svg: figure8(structure, 1)? },
     ])
 }
 
 const FIGURE_8: &str = "Displacement, velocity and acceleration of a4. Of the acceleration: its mean over 20 ms, and the band in which it vibrates, \
                         without damping and with the numerical damping of an engineer's integrator.";
 
-fn temperature() -> Result<Panel<'static>> {
+/// The temperature over time, s and K.
+fn history() -> Result<Vec<[f64; 2]>> {
     let name = "scissors-3-thermal";
-    let temperature = builtin(name)?.temperature.ok_or_else(|| Error::fixture(name, "it has no temperature"))?;
-    let points = temperature.history.iter().map(|&[t, change]| (t, change)).collect();
+    Ok(builtin(name)?.temperature.ok_or_else(|| Error::fixture(name, "it has no temperature"))?.history)
+}
+
+fn temperature() -> Result<Panel<'static>> {
+    let points = history()?.iter().map(|&[t, change]| (t, change)).collect();
     let curves = vec![Curve::line("temperature", HEATED, points)];
     Ok(Panel { quantity: "change of temperature, K".into(), curves, log: false })
 }
