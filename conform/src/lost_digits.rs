@@ -71,6 +71,13 @@ impl LostDigits {
         cases.max_by(|a, b| (a.lost - a.input_lost).total_cmp(&(b.lost - b.input_lost)))
     }
 
+    /// Whether an input fails in every case in which a quantity fails.
+    pub fn fails_only_with(&self, quantity: &str, input: &str) -> bool {
+        let (Some(cases), Some(of_input)) = (self.0.get(quantity), self.0.get(input)) else { return false };
+        let mut failing = cases.iter().filter(|(_, lost)| lost.fails).peekable();
+        failing.peek().is_some() && failing.all(|(case, _)| of_input.get(case).is_some_and(|lost| lost.fails))
+    }
+
     /// Digits that an input lost, as far as it matters in a case; `None` without numbers.
     fn lost_by(&self, input: WrongInput, case: &str) -> Option<f64> {
         let cases = self.0.get(input.quantity)?;

@@ -33,6 +33,9 @@ const BASES: [&[&str]; 2] = [
     &["2.S", "3.S", "7.M", "20.K", "tangent.dQ_e", "19.Q_e", "22.eddot", "gravity.Q_w", "A.2.e", "4.nodes"],
     &["cable.S", "cable.M", "cable.tangent", "cable.Q_e", "cable.eddot", "cable.Q_w"],
 ];
+/// Sums over the nodal vectors, the same in every layout: of the element, of the cable.
+const SUMS: [&[&str]; 2] =
+    [&["A.4.r", "1.r", "5.rdot", "6.T", "13.epsilon_1", "18.U"], &["cable.r", "cable.r_x", "cable.T", "cable.U"]];
 /// Quantities that look alike from both ends of the element.
 const MIRRORED: [&str; 3] = ["7.M", "gravity.Q_w", "6.T"];
 /// Largest number of failing quantities that are asked again to find how the state is read.
@@ -68,6 +71,8 @@ pub fn infer<'a>(suite: &'a Suite, declared: &'a Declared, answers: Answers, ask
         alternatives: Vec::new(),
         shown_by: BTreeMap::new(),
         ambiguous: BTreeMap::new(),
+        refuted: Vec::new(),
+        declared: declared.conventions.clone(),
         ask,
     };
     inference.run();
@@ -120,6 +125,9 @@ struct Inference<'a> {
     shown_by: BTreeMap<&'static str, String>,
     /// What a convention cannot be told from, by key.
     ambiguous: BTreeMap<&'static str, Vec<String>>,
+    /// Families whose layout is that of the fixtures, although it seemed another one.
+    refuted: Vec<Family>,
+    declared: Conventions,
     ask: &'a mut Ask<'a>,
 }
 
@@ -137,6 +145,7 @@ impl Inference<'_> {
             self.energies();
             self.heat();
             self.reading();
+            Family::ALL.into_iter().for_each(|family| self.refute(family));
             self.angle();
             if self.conventions == before {
                 return;
@@ -209,6 +218,9 @@ impl Inference<'_> {
 
     /// Layout of the coordinates, and nested lists of matrices.
     fn layout(&mut self, family: Family) {
+        if self.refuted.contains(&family) {
+            return;
+        }
         let usual = family.layout(&self.conventions).clone();
         let status = self.evidence.right_and_wrong(&self.conventions);
         let lists = match self.conventions.matrices {
@@ -468,6 +480,28 @@ impl Inference<'_> {
                 return;
             }
         }
+    }
+
+    /// Takes an inferred layout back where the sums over the nodal vectors are wrong: they are the same in every layout. The program then
+    /// has another S, not another e.
+    fn refute(&mut self, family: Family) {
+        let conventions = &self.conventions;
+        if family.layout(conventions).is_usual() || conventions.reading == Reading::Own || self.keys.contains(&"state") {
+            return;
+        }
+        let judge = |name: &&str| self.evidence.row(name).and_then(|row| self.evidence.is_right(row, conventions));
+        let judged: Vec<bool> = SUMS[family as usize].iter().filter_map(judge).collect();
+        if judged.is_empty() || judged.contains(&true) {
+            return;
+        }
+        self.refuted.push(family);
+        // What was found under it is found again without it.
+        let usual = Conventions { matrices: conventions.matrices, ..self.declared.clone() };
+        let other = match family {
+            Family::Element => Conventions { cable: conventions.cable.clone(), ..usual },
+            Family::Cable => Conventions { element: conventions.element.clone(), ..usual },
+        };
+        self.conventions = other;
     }
 
     /// Whether the program reads θ in degrees.

@@ -199,6 +199,7 @@ fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -
     let all = search.keys_of(first.case);
     let mut fitting = all.clone();
     for (quantity, observation) in &judged {
+        search.prepare(observation.case, &fitting);
         fitting.retain(|key| search.explains(quantity, observation, &[key]));
         if fitting.is_empty() {
             break;
@@ -218,10 +219,12 @@ fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -
     let mut all: Vec<Key> = all.into_iter().filter(|(members, ..)| !chain::is_by_stress(members)).collect();
     // The same mistake in a later quantity is what follows from it: roots first.
     all.sort_by_key(|(members, ..)| GRAPH.iter().position(|node| members.first() == Some(&node.quantity)));
+    search.prepare(simplest.case, &all);
     let alone: Vec<Key> =
         all.iter().filter(|key| search.explains(culprit, simplest, &[*key])).take(MOST_FIRST).cloned().collect();
     for one in &alone {
         let Some(other) = of_culprit.iter().find(|o| !search.explains(culprit, o, &[one])) else { continue };
+        search.prepare(other.case, &all);
         let apart = |two: &&Key| two.0.iter().all(|member| !one.0.contains(member));
         let partners: Vec<&Key> =
             all.iter().filter(apart).filter(|two| search.explains(culprit, other, &[one, *two])).collect();
@@ -270,6 +273,21 @@ impl<'a> Search<'a> {
         keys
     }
 
+    /// Computes the wrong values that these mistakes have in a case, all those of a root at once.
+    fn prepare<'k>(&mut self, case: &Case, keys: impl IntoIterator<Item = &'k Key>) {
+        let mut wanted: BTreeMap<&'static str, BTreeSet<&Mistake>> = BTreeMap::new();
+        for (members, _, mistake) in keys {
+            for member in *members {
+                wanted.entry(member).or_default().insert(mistake);
+            }
+        }
+        if let Some(in_case) = self.in_case(case) {
+            for (root, mistakes) in &wanted {
+                in_case.prepare(case, root, mistakes);
+            }
+        }
+    }
+
     /// Whether mistakes, made at once, explain an answer. Those that do not change the quantity explain any but the culprit's.
     fn explains(&mut self, quantity: &'static str, observation: &Observation, keys: &[&Key]) -> bool {
         let (culprit, case) = (self.culprit, observation.case);
@@ -287,8 +305,19 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Wrong value of a root by mistake; `None` where a mistake changes nothing.
-type WrongValues = BTreeMap<Mistake, Option<Rc<Vec<f64>>>>;
+/// Value of a root with a mistake in it.
+#[derive(Clone)]
+enum Wrong {
+    /// The mistake leaves no value.
+    None,
+    /// The mistake changes nothing.
+    Neutral,
+    /// Another value than the right one.
+    Value(Rc<Vec<f64>>),
+}
+
+/// Wrong values of a root by mistake.
+type WrongValues = BTreeMap<Mistake, Wrong>;
 
 /// Wrong values of roots in one case.
 struct InCase {
@@ -319,21 +348,34 @@ impl InCase {
         first.keys().filter(is_common).cloned().collect()
     }
 
+    /// Computes the values of mistakes in a root that are not known yet.
+    fn prepare(&mut self, case: &Case, root: &'static str, mistakes: &BTreeSet<&Mistake>) {
+        let known = self.wrong.get(root);
+        let unknown: BTreeSet<&Mistake> = (mistakes.iter().copied())
+            .filter(|mistake| known.is_none_or(|known| !known.contains_key(mistake)))
+            .collect();
+        if unknown.is_empty() {
+            return;
+        }
+        let mut computed = self.wrong_values(case, root, |mistake| unknown.contains(mistake));
+        for mistake in unknown {
+            computed.entry(mistake.clone()).or_insert(Wrong::None);
+        }
+        self.wrong.entry(root).or_default().extend(computed);
+    }
+
     /// Wrong values of a mistake, empty where it changes nothing; `None` if it has no value.
     fn values(&mut self, case: &Case, (members, by_angle, mistake): &Key) -> Option<Values> {
         let mut values = Values::new();
         for member in *members {
-            let known = self.wrong.get(member).and_then(|wrong| wrong.get(mistake)).cloned();
-            let value = match known {
-                Some(value) => value,
-                None => {
-                    let mut wrong = self.wrong_values(case, member, |other| other == mistake);
-                    let value = wrong.remove(mistake)?;
-                    self.wrong.entry(member).or_default().insert(mistake.clone(), value.clone());
-                    value
+            self.prepare(case, member, &BTreeSet::from([mistake]));
+            match self.wrong.get(member)?.get(mistake)? {
+                Wrong::None => return None,
+                Wrong::Neutral => {}
+                Wrong::Value(value) => {
+                    values.insert(member, Rc::clone(value));
                 }
-            };
-            values.extend(value.map(|value| (*member, value)));
+            }
         }
         if *by_angle && !values.is_empty() {
             values.insert("9.J_0", self.chain.right("9.J_0")?);
@@ -352,7 +394,7 @@ impl InCase {
             let usable = value.len() == right.len() && value.iter().all(|value| value.is_finite());
             let differs = value.iter().zip(right).any(|(wrong, right)| (wrong - right).abs() > NEUTRAL * size);
             if usable {
-                wrong.insert(mistake, differs.then(|| Rc::new(value)));
+                wrong.insert(mistake, if differs { Wrong::Value(Rc::new(value)) } else { Wrong::Neutral });
             }
         };
         for candidate in candidates(root, &case, reference) {

@@ -266,7 +266,11 @@ struct Inputs<'a> {
 
 impl Inputs<'_> {
     fn at_points(&self, of: impl Fn(usize) -> Vec<f64>) -> Option<Vec<f64>> {
-        Some((0..self.state.points.len()).flat_map(of).collect())
+        let mut all = Vec::new();
+        for point in 0..self.state.points.len() {
+            all.extend(of(point));
+        }
+        Some(all)
     }
 
     /// ∫ … dV over the element.

@@ -2,6 +2,7 @@
 
 use super::form::{Form, Printing};
 use super::perturbed::changes;
+use super::single::errors;
 use crate::suite::{Case, Reference, Tolerance};
 
 /// Rounding of single precision, relative to a number.
@@ -11,6 +12,8 @@ const SINGLE: f64 = f32::EPSILON as f64 / 2.0;
 const ROUNDINGS: f64 = 32.0;
 /// Multiple of the change by rounded inputs that is allowed: the signs that are tried are not the worst ones.
 const INPUTS: f64 = 4.0;
+/// Multiple of the error of the kit's own elimination that is allowed: others pivot and add up in another order.
+const SOLUTIONS: f64 = 8.0;
 /// Half a unit of the last digit, and a trifle for the rounding of the decimal itself.
 const HALF: f64 = 0.501;
 /// Size up to which terms count as zero.
@@ -63,9 +66,13 @@ pub fn of_form(form: Form, reference: &Reference) -> impl Iterator<Item = Parts>
 pub fn attainable(form: Form, quantity: &str, case: &Case) -> Option<(Tolerance, Option<(f64, &'static str)>)> {
     let reference = case.values.get(quantity)?;
     let inputs = form.single.then(|| changes(quantity, case, SINGLE)).flatten();
+    let solution = form.single.then(|| errors(quantity, case)).flatten();
     let mut parts: Vec<Parts> = of_form(form, reference).collect();
     for (part, change) in parts.iter_mut().zip(inputs.into_iter().flatten()) {
         part.inputs = INPUTS * change;
+    }
+    for (part, error) in parts.iter_mut().zip(solution.into_iter().flatten()) {
+        part.roundings = part.roundings.max(SOLUTIONS * error);
     }
     // Where nothing is added up, there are no digits to lose.
     let entries = parts.iter().zip(reference.terms()).filter(|(_, terms)| *terms > NOTHING);
