@@ -4,7 +4,7 @@
 //! right cases. Wrong factors and signs are computed from the answers by `factors`.
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// invisible, ancestors, diagnose, factors, power;
+// invisible, ancestors, wrong_values, diagnose, factors, power;
 // errata, heat, law, integral, gradient, inertia, reading, angle, copied;
 // terms, cable, chain, layout, quadrature, jet, candidate, entries, observation, mistake.
 mod ancestors;
@@ -33,9 +33,11 @@ mod reading;
 mod terms;
 #[cfg(test)]
 mod tests;
+mod wrong_values;
 
 pub use ancestors::{Ancestor, Seen, ancestors};
 pub use diagnose::{Diagnosis, diagnose};
 pub use invisible::{Invisible, invisible};
 pub use mistake::{Mistake, MistakeKind};
 pub use observation::{Observation, Outcome};
+pub use wrong_values::Upstream;

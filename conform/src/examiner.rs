@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::answers::{Answers, CaseAnswer, judged};
 use crate::blame::{Blame, Status, WithGiven, blame};
 use crate::convention::{self, Conventions, Declared};
-use crate::diagnosis::{Ancestor, Observation, Outcome, Seen, ancestors, diagnose, invisible};
+use crate::diagnosis::{Ancestor, Observation, Outcome, Seen, Upstream, ancestors, diagnose, invisible};
 use crate::examination::{CaseVerdict, Examination, InvalidOutcome, InvalidVerdict};
 use crate::given::{scaled, unread};
 use crate::graph::{GRAPH, Node};
@@ -139,7 +139,8 @@ fn ancestors_of(
         .collect();
     let is_right = |quantity: &str| statuses.get(quantity) == Some(&Status::Right);
     let numbers = blame.culprits.iter().filter(|culprit| culprit.numbers);
-    numbers.map(|culprit| (culprit.quantity, ancestors(culprit.quantity, &seen, is_right))).collect()
+    let mut upstream = Upstream::default();
+    numbers.map(|culprit| (culprit.quantity, ancestors(culprit.quantity, &seen, is_right, &mut upstream))).collect()
 }
 
 /// First failing case of each quantity that fails; one that fails by more than rounding if there is one.

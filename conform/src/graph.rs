@@ -167,7 +167,10 @@ mod tests {
         for (quantity, inputs) in OTHER_ROUTES {
             for input in *inputs {
                 assert!(place(input) < place(quantity) || *quantity == "A.2.e", "{quantity} uses {input}");
-                assert!(!find(quantity).unwrap().inputs().any(|of_paper| of_paper == *input), "{quantity} uses {input}");
+                assert!(
+                    !find(quantity).unwrap().inputs().any(|of_paper| of_paper == *input),
+                    "{quantity} uses {input}"
+                );
             }
         }
     }

@@ -486,7 +486,8 @@ impl Inference<'_> {
     /// has another S, not another e.
     fn refute(&mut self, family: Family) {
         let conventions = &self.conventions;
-        if family.layout(conventions).is_usual() || conventions.reading == Reading::Own || self.keys.contains(&"state") {
+        if family.layout(conventions).is_usual() || conventions.reading == Reading::Own || self.keys.contains(&"state")
+        {
             return;
         }
         let judge = |name: &&str| self.evidence.row(name).and_then(|row| self.evidence.is_right(row, conventions));

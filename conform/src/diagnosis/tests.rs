@@ -14,6 +14,7 @@ use super::entries::rows;
 use super::mistake::{Mistake, MistakeKind};
 use super::observation::{Observation, Outcome};
 use super::quadrature;
+use super::wrong_values::Upstream;
 use crate::suite::{Case, Reference, State, Suite};
 use crate::verdict::Fault;
 
@@ -311,7 +312,7 @@ fn in_a_black_box(wrong: impl Fn(&ElementState, &Chain) -> Vec<(&'static str, Ve
     }
     let all_right = |quantity: &str| seen[quantity].iter().all(|o| o.outcome == Outcome::Right);
     assert!(!all_right("19.Q_e"));
-    ancestors("19.Q_e", &seen, |quantity| seen.contains_key(quantity) && all_right(quantity))
+    ancestors("19.Q_e", &seen, |quantity| seen.contains_key(quantity) && all_right(quantity), &mut Upstream::default())
 }
 
 #[test]

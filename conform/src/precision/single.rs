@@ -65,7 +65,8 @@ mod tests {
     #[test]
     fn constraints_that_fix_everything_leave_a_residue() {
         let suite = Suite::embedded().unwrap();
-        let solved = |case: &&Case| matches!(case.state, State::System(_)) && case.values.contains_key("23.acceleration");
+        let solved =
+            |case: &&Case| matches!(case.state, State::System(_)) && case.values.contains_key("23.acceleration");
         for case in suite.cases.iter().filter(solved) {
             let reference = &case.values["23.acceleration"];
             let errors = errors("23.acceleration", case).unwrap();
