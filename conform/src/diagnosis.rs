@@ -5,7 +5,8 @@
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
 // invisible, ancestors, wrong_values, diagnose, factors, power;
-// errata, heat, law, integral, gradient, inertia, reading, angle, copied;
+// force;
+// errata, heat, law, functions, integral, gradient, inertia, solution, reading, angle, copied;
 // terms, cable, chain, layout, quadrature, jet, candidate, entries, observation, mistake.
 mod ancestors;
 mod angle;
@@ -17,6 +18,8 @@ mod diagnose;
 mod entries;
 mod errata;
 mod factors;
+mod force;
+mod functions;
 mod gradient;
 mod heat;
 mod inertia;
@@ -30,6 +33,7 @@ mod observation;
 mod power;
 mod quadrature;
 mod reading;
+mod solution;
 mod terms;
 #[cfg(test)]
 mod tests;

@@ -21,9 +21,10 @@ const MOST_NAMED: usize = 3;
 /// Largest number of mistakes that are tried as the first of two.
 const MOST_FIRST: usize = 6;
 /// Quantities with a common cause: one function, or lines that are copied from one another.
-const FAMILIES: [&[&str]; 5] = [
+const FAMILIES: [&[&str]; 6] = [
     &["3.S", "3.S_x", "3.S_y"],
     &["3.S_x", "3.S_y"],
+    &["17.lambda", "17.mu"],
     &["11.S_a", "11.S_b", "11.S_c"],
     &["21.S_a1", "21.S_b1", "21.S_c1"],
     &["21.K_1", "21.K_2", "21.K_3"],
