@@ -107,26 +107,21 @@ pub fn blame(statuses: &BTreeMap<&str, Status>, unread: &Unread, lost: &LostDigi
             (None, Some(_), WithGiven::Wrong) => wrong_unread,
             (None, input, _) => input,
         };
-        // An input of another route is an excuse where it is wrong itself. Reference inputs that were used show the paper's route.
-        let is_of_paper = with_given == WithGiven::Wrong && !unread.contains_key(node.quantity);
-        let on_other_route = || {
-            let inputs = on_other_routes(node.quantity).iter();
-            let mut wrong = inputs.filter_map(|input| wrong_at_or_before(input, statuses, false));
-            wrong.find(|input| lost.fails_only_with(node.quantity, input))
-        };
-        if excuse.is_none()
-            && numbers
-            && !is_of_paper
-            && with_given != WithGiven::Right
-            && let Some(from) = on_other_route()
-        {
-            blame.follow.push(Follower { quantity: node.quantity, from });
-            continue;
-        }
         let unexplained = excuse.filter(|_| numbers && with_given != WithGiven::Right).and_then(|_| {
             let without_given = with_given == WithGiven::Wrong;
             lost.unexplained(node.quantity, &wrong_inputs(node, without_given, statuses))
         });
+        // Reference inputs that were used show the paper's route.
+        let is_of_paper =
+            with_given == WithGiven::Right || with_given == WithGiven::Wrong && !unread.contains_key(node.quantity);
+        if numbers
+            && !is_of_paper
+            && (excuse.is_none() || unexplained.is_some())
+            && let Some(from) = on_other_route(node, statuses, lost)
+        {
+            blame.follow.push(Follower { quantity: node.quantity, from });
+            continue;
+        }
         match (excuse, unexplained) {
             (Some(from), None) => blame.follow.push(Follower { quantity: node.quantity, from }),
             (_, unexplained) => {
@@ -139,6 +134,15 @@ pub fn blame(statuses: &BTreeMap<&str, Status>, unread: &Unread, lost: &LostDigi
         }
     }
     blame
+}
+
+/// A wrong input of a route that is not the paper's, if it fails wherever the quantity does, together with the quantity's other inputs.
+fn on_other_route(node: &Node, statuses: &BTreeMap<&str, Status>, lost: &LostDigits) -> Option<&'static str> {
+    let wrong = |input: &&'static str| wrong_at_or_before(input, statuses, false);
+    let by_other: Vec<&'static str> = on_other_routes(node.quantity).iter().filter_map(wrong).collect();
+    let by_paper = node.inputs().filter_map(|input| wrong_at_or_before(input, statuses, false));
+    let all: Vec<&'static str> = by_other.iter().copied().chain(by_paper).collect();
+    by_other.first().copied().filter(|_| lost.fails_only_with(node.quantity, &all))
 }
 
 /// The quantity itself if it is wrong. If its status is unknown: the first wrong one among its inputs, and theirs. With `faults_count` a

@@ -123,8 +123,8 @@ const OTHER_ROUTES: &[(&str, &[&str])] = &[
     ("13.epsilon_2", &["10.epsilon_m"]),
     ("13.epsilon_3", &["10.epsilon_m"]),
     ("12.epsilon_f", &["10.epsilon_m"]),
-    ("19.Q_e", &["15.sigma", "18.U"]),
-    ("tangent.dQ_e", &["16.D", "15.sigma", "19.Q_e", "18.U"]),
+    ("19.Q_e", &["9.J", "15.sigma", "18.U"]),
+    ("tangent.dQ_e", &["9.J", "16.D", "15.sigma", "19.Q_e", "18.U"]),
     ("cable.Q_e", &["cable.U"]),
     ("cable.tangent", &["cable.Q_e", "cable.U"]),
 ];
