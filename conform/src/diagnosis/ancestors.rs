@@ -30,6 +30,9 @@ const FAMILIES: [&[&str]; 6] = [
     &["21.K_1", "21.K_2", "21.K_3"],
 ];
 
+/// Integrals of the shape functions alone: a mistake in a function whose mean is zero does not show.
+const MEANS: [&str; 2] = ["gravity.Q_w", "cable.Q_w"];
+
 /// Tags of states in which a mistake in a quantity shows.
 const SHOWN_BY: [(&str, &[&str]); 6] = [
     ("8.epsilon_T", &["heated", "1d", "2d"]),
@@ -68,7 +71,7 @@ pub fn ancestors(
     let is_answered = |quantity: &str| seen.get(quantity).is_some_and(|answers| !answers.is_empty());
     let Some(observations) = seen.get(culprit) else { return Vec::new() };
     let shown_right: BTreeSet<&str> = (seen.keys())
-        .filter(|quantity| is_right(quantity))
+        .filter(|quantity| is_right(quantity) && !MEANS.contains(quantity))
         .flat_map(|quantity| chain::ancestors(quantity).into_iter().chain(before(quantity, false, &|_| true)))
         .collect();
     let is_possible = |quantity: &&'static str| !is_answered(quantity) && !shown_right.contains(quantity);
@@ -250,7 +253,8 @@ impl Search<'_> {
             for mistake in in_case.mistakes_of(case, members) {
                 keys.insert((members, false, mistake.clone()));
                 // J_0 follows from the shape functions, or θ is used in its place.
-                if members.iter().any(|member| member.starts_with("3.S_")) {
+                // A wrong J is that of the strains alone, or of their derivatives, too.
+                if members.iter().any(|member| member.starts_with("3.S_") || *member == "9.J") {
                     keys.insert((members, true, mistake));
                 }
             }

@@ -9,7 +9,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-use nalgebra::{Matrix2, Matrix3, RowSVector, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, RowSVector, SMatrix, Vector2, Vector3};
 
 use super::entries::rows;
 use super::quadrature::exact;
@@ -19,6 +19,8 @@ use ancf::equations::motion;
 use ancf::equations::shape::{Matrix2x14, Vector14};
 use ancf::internals::equations::volume::Point;
 use ancf::state::{ElementState, evaluate};
+
+type Matrix14x3 = SMatrix<f64, 14, 3>;
 
 /// Values of quantities, row by row; those of a point for every point of the chain.
 pub(super) type Values = BTreeMap<&'static str, Rc<Vec<f64>>>;
@@ -144,25 +146,95 @@ const BY_STRESS: &[Formula] = &[
     }),
 ];
 
-/// Roots that act on the force only by the route over stresses.
-const ROOTS_OF_STRESS: &[&str] =
-    &["12.epsilon_f", "13.epsilon_1", "13.epsilon_2", "13.epsilon_3", "14.epsilon", "15.sigma", "16.D"];
+/// The same route with strains from the deformation gradient: their derivatives have J in them.
+const BY_GRADIENT: &[Formula] = &[
+    formula("13.epsilon_1", &["10.epsilon_m"], |i| i.at_points(|p| vec![i.matrix2(0, p)[(0, 0)]])),
+    formula("13.epsilon_2", &["10.epsilon_m"], |i| i.at_points(|p| vec![i.matrix2(0, p)[(1, 1)]])),
+    formula("13.epsilon_3", &["10.epsilon_m"], |i| i.at_points(|p| vec![i.matrix2(0, p)[(0, 1)]])),
+    formula("19.Q_e", &["3.S_x", "3.S_y", "9.J_0", "9.J", "15.sigma"], |i| {
+        let at = |p: usize| {
+            let (s, [one, two, three]) = (i.vector3(4, p), i.derivatives(p));
+            one * s[0] + two * s[1] + three * (2.0 * s[2])
+        };
+        Some(rows(&i.integral(Vector14::zeros(), at)))
+    }),
+    formula("tangent.dQ_e", &["3.S_x", "3.S_y", "9.J_0", "9.J", "15.sigma", "16.D"], |i| {
+        let mut D = Matrix3::from_row_slice(&i.of[5]);
+        D.row_mut(2).scale_mut(2.0);
+        let at = |p: usize| {
+            let (s, [G_1, G_2]) = (i.vector3(4, p), i.functions(p));
+            let mixed = G_1.tr_mul(&G_2);
+            let stress = G_1.tr_mul(&G_1) * s[0] + G_2.tr_mul(&G_2) * s[1] + (mixed + mixed.transpose()) * s[2];
+            let B = Matrix14x3::from_columns(&i.derivatives(p));
+            stress + B * D * B.transpose()
+        };
+        Some(rows(&i.integral(Matrix14::zeros(), at)))
+    }),
+];
+
+/// Routes from the shape functions to the force.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Route {
+    /// The paper's, over K.
+    Stiffness,
+    /// Over stresses and the products of (11).
+    Stress,
+    /// Over stresses and the deformation gradient.
+    Gradient,
+}
+
+impl Route {
+    const ALL: [Route; 3] = [Route::Stiffness, Route::Stress, Route::Gradient];
+
+    fn of(replaced: &Values) -> Route {
+        let acts = |roots: &[&str]| replaced.keys().any(|root| roots.contains(root));
+        if acts(ROOTS_OF_GRADIENT) {
+            Route::Gradient
+        } else if acts(ROOTS_OF_STRESS) {
+            Route::Stress
+        } else {
+            Route::Stiffness
+        }
+    }
+
+    fn formulas(self) -> &'static [Formula] {
+        match self {
+            Route::Stiffness => BY_STIFFNESS,
+            Route::Stress => BY_STRESS,
+            Route::Gradient => BY_GRADIENT,
+        }
+    }
+}
+
+/// Roots that act on the force only by the route over the deformation gradient.
+const ROOTS_OF_GRADIENT: &[&str] = &["9.J", "10.epsilon_m"];
+/// Roots that act on the force only by a route over stresses.
+const ROOTS_OF_STRESS: &[&str] = &[
+    "9.J",
+    "10.epsilon_m",
+    "12.epsilon_f",
+    "13.epsilon_1",
+    "13.epsilon_2",
+    "13.epsilon_3",
+    "14.epsilon",
+    "15.sigma",
+    "16.D",
+];
 
 /// Whether some of these roots act on the force only by the route over stresses.
 pub(super) fn is_by_stress(roots: &[&str]) -> bool {
     roots.iter().any(|root| ROOTS_OF_STRESS.contains(root))
 }
 
-fn formula_of(quantity: &str, by_stress: bool) -> Option<&'static Formula> {
-    let route = if by_stress { BY_STRESS } else { BY_STIFFNESS };
-    SHARED.iter().chain(route).find(|formula| formula.quantity == quantity)
+fn formula_of(quantity: &str, route: Route) -> Option<&'static Formula> {
+    route.formulas().iter().chain(SHARED).find(|formula| formula.quantity == quantity)
 }
 
-/// Quantities before `quantity` in the chain, by both routes.
+/// Quantities before `quantity` in the chain, by all routes.
 pub(super) fn ancestors(quantity: &str) -> BTreeSet<&'static str> {
     let mut all = BTreeSet::new();
-    for by_stress in [false, true] {
-        let inputs = formula_of(quantity, by_stress).map_or(&[][..], |formula| formula.inputs);
+    for route in Route::ALL {
+        let inputs = formula_of(quantity, route).map_or(&[][..], |formula| formula.inputs);
         for input in inputs {
             if all.insert(*input) {
                 all.extend(ancestors(input));
@@ -173,10 +245,10 @@ pub(super) fn ancestors(quantity: &str) -> BTreeSet<&'static str> {
 }
 
 /// Whether a quantity depends on one of the replaced ones.
-fn depends(quantity: &str, by_stress: bool, replaced: &Values) -> bool {
+fn depends(quantity: &str, route: Route, replaced: &Values) -> bool {
     replaced.contains_key(quantity)
-        || formula_of(quantity, by_stress)
-            .is_some_and(|formula| formula.inputs.iter().any(|input| depends(input, by_stress, replaced)))
+        || formula_of(quantity, route)
+            .is_some_and(|formula| formula.inputs.iter().any(|input| depends(input, route, replaced)))
 }
 
 /// The chain in one state.
@@ -208,13 +280,25 @@ impl Chain {
         })
     }
 
+    /// The J_0 with which a wrong J is the gradient times its inverse; `None` if it has none.
+    pub fn multiplied_from_the_right(&self, J: &[f64]) -> Option<Vec<f64>> {
+        let (right, J_0) = (self.right("9.J")?, self.right("9.J_0")?);
+        let mut all = Vec::new();
+        for ((wrong, right), J_0) in J.chunks_exact(4).zip(right.chunks_exact(4)).zip(J_0.chunks_exact(4)) {
+            let [wrong, right, J_0] = [wrong, right, J_0].map(Matrix2::from_row_slice);
+            // The gradient is J J_0, so that J_0 follows from wrong = J J_0 X⁻¹.
+            all.extend(rows(&(wrong.try_inverse()? * right * J_0)));
+        }
+        Some(all)
+    }
+
     /// Value of a quantity, at the state's own points, with replaced values of others; `None` if it does not depend on them.
     pub fn value(&self, quantity: &str, replaced: &Values) -> Option<Vec<f64>> {
-        let by_stress = replaced.keys().any(|root| ROOTS_OF_STRESS.contains(root));
-        if !depends(quantity, by_stress, replaced) {
+        let route = Route::of(replaced);
+        if !depends(quantity, route, replaced) {
             return None;
         }
-        let value = self.with(quantity, by_stress, replaced, &mut Values::new())?;
+        let value = self.with(quantity, route, replaced, &mut Values::new())?;
         let points = self.everywhere.points.len();
         // A quantity of a point has a multiple of the number of points, and the element's quantities have not.
         match is_of_a_point(quantity) {
@@ -223,17 +307,13 @@ impl Chain {
         }
     }
 
-    fn with(&self, quantity: &str, by_stress: bool, replaced: &Values, known: &mut Values) -> Option<Rc<Vec<f64>>> {
+    fn with(&self, quantity: &str, route: Route, replaced: &Values, known: &mut Values) -> Option<Rc<Vec<f64>>> {
         if let Some(value) = replaced.get(quantity).or_else(|| known.get(quantity)) {
             return Some(Rc::clone(value));
         }
-        let formula = formula_of(quantity, by_stress)?;
+        let formula = formula_of(quantity, route)?;
         let input = |this: &Chain, known: &mut Values, name: &'static str| {
-            if depends(name, by_stress, replaced) {
-                this.with(name, by_stress, replaced, known)
-            } else {
-                this.right(name)
-            }
+            if depends(name, route, replaced) { this.with(name, route, replaced, known) } else { this.right(name) }
         };
         let of = formula.inputs.iter().map(|name| input(self, known, name)).collect::<Option<Vec<_>>>()?;
         let state = &self.everywhere;
@@ -318,6 +398,20 @@ impl Inputs<'_> {
         Matrix2::from_columns(&[self.row_of_identities(0, p) * e, self.row_of_identities(1, p) * e])
     }
 
+    /// Rows of functions that give the columns of J, from the inputs S_x, S_y and J_0.
+    fn functions(&self, p: usize) -> [Matrix2x14; 2] {
+        let P = inverse(&self.matrix2(2, p));
+        let (S_x, S_y) = (self.row_of_identities(0, p), self.row_of_identities(1, p));
+        [0, 1].map(|k| S_x * P[(0, k)] + S_y * P[(1, k)])
+    }
+
+    /// Derivatives of the three strains by e, from these functions and J as input 3.
+    fn derivatives(&self, p: usize) -> [Vector14; 3] {
+        let ([G_1, G_2], J) = (self.functions(p), self.matrix2(3, p));
+        let (J_1, J_2) = (J.column(0), J.column(1));
+        [G_1.tr_mul(&J_1), G_2.tr_mul(&J_2), 0.5 * (G_1.tr_mul(&J_2) + G_2.tr_mul(&J_1))]
+    }
+
     /// S_a, S_b or S_c by the columns of J₀⁻¹ that it multiplies; inputs are S_x, S_y and J_0.
     fn metric(&self, p: usize, one: usize, two: usize) -> Matrix14 {
         let P = inverse(&self.matrix2(2, p));
@@ -385,15 +479,17 @@ mod tests {
             let from_functions = roots(&["3.S", "3.S_x", "3.S_y"]);
             let mut by_stress = from_functions.clone();
             by_stress.extend(roots(&["16.D"]));
+            let mut by_gradient = from_functions.clone();
+            by_gradient.extend(roots(&["9.J"]));
             for formula in SHARED.iter().chain(BY_STIFFNESS) {
-                for replaced in [&from_functions, &by_stress] {
+                for replaced in [&from_functions, &by_stress, &by_gradient] {
                     let Some(value) = chain.value(formula.quantity, replaced) else { continue };
                     let reference = &case.values[formula.quantity];
                     let worst = reference.worst_entry(&value).1;
                     assert!(worst <= 30.0, "{} in {}: {worst}", formula.quantity, case.id);
                 }
             }
-            for formula in SHARED.iter().chain(BY_STIFFNESS).chain(BY_STRESS) {
+            for formula in SHARED.iter().chain(BY_STIFFNESS).chain(BY_STRESS).chain(BY_GRADIENT) {
                 let replaced = roots(&formula.inputs[..1]);
                 let value = chain.value(formula.quantity, &replaced).unwrap();
                 let worst = case.values[formula.quantity].worst_entry(&value).1;

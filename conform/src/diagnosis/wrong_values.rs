@@ -3,6 +3,8 @@
 //! Candidates are built for all mistakes that are wanted of a root at once, and their values kept: those of one case are asked for by
 //! many combinations, and by each culprit.
 
+#![allow(non_snake_case)] // The paper's symbols are names here.
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
@@ -22,7 +24,8 @@ const POWERS: [(usize, i32); 6] = [(0, 1), (0, -1), (1, 1), (1, -1), (2, -1), (3
 /// A wrong value counts as right if it differs by this share of its largest entry at most.
 const NEUTRAL: f64 = 1e-12;
 
-/// A mistake in a root: the quantities whose values it changes, and whether J_0 is computed from θ.
+/// A mistake in a root: the quantities whose values it changes, and whether it acts in another way. For shape functions: J_0 is computed
+/// from θ. For J: the inverse of J_0 is wrong where the strains' derivatives use it, too.
 pub(super) type Key = (&'static [&'static str], bool, Mistake);
 
 /// Wrong values in all cases.
@@ -97,7 +100,7 @@ impl InCase {
     }
 
     /// Wrong values of a mistake, empty where it changes nothing; `None` if it has no value.
-    pub fn values(&mut self, case: &Case, (members, by_angle, mistake): &Key) -> Option<Values> {
+    pub fn values(&mut self, case: &Case, (members, other_way, mistake): &Key) -> Option<Values> {
         let mut values = Values::new();
         for member in *members {
             self.prepare(case, member, &BTreeSet::from([mistake]));
@@ -109,8 +112,12 @@ impl InCase {
                 }
             }
         }
-        if *by_angle && !values.is_empty() {
-            values.insert("9.J_0", self.chain.right("9.J_0")?);
+        if *other_way && !values.is_empty() {
+            let J_0 = match values.get("9.J") {
+                Some(J) => Rc::new(self.chain.multiplied_from_the_right(J)?),
+                None => self.chain.right("9.J_0")?,
+            };
+            values.insert("9.J_0", J_0);
         }
         Some(values)
     }
