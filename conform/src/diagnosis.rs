@@ -7,7 +7,7 @@
 // invisible, ancestors, wrong_values, diagnose, factors, power;
 // force;
 // errata, heat, law, functions, integral, gradient, inertia, solution, reading, angle, copied;
-// terms, cable, chain, layout, quadrature, jet, candidate, entries, observation, mistake.
+// terms, cable, chain, formulas, layout, quadrature, jet, candidate, entries, observation, mistake.
 mod ancestors;
 mod angle;
 mod cable;
@@ -19,6 +19,7 @@ mod entries;
 mod errata;
 mod factors;
 mod force;
+mod formulas;
 mod functions;
 mod gradient;
 mod heat;
