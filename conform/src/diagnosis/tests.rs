@@ -18,6 +18,8 @@ use super::wrong_values::Upstream;
 use crate::suite::{Case, Reference, State, Suite};
 use crate::verdict::Fault;
 
+mod kinds;
+
 static SUITE: LazyLock<Suite> = LazyLock::new(|| Suite::embedded().unwrap());
 
 /// What is found where `answer` gives the numbers for a state with its right ones.
