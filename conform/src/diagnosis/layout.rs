@@ -137,7 +137,7 @@ pub(super) fn of(reference: &Reference) -> Vec<Candidate<'_>> {
         // The right entry (1, 2) is zero.
         let place = |n: usize| match n {
             0..14 => n,
-            _ if n % 2 == 0 => n + 1,
+            _ if n.is_multiple_of(2) => n + 1,
             _ => 1,
         };
         add(XyOrder, "the second row in the columns of x".into(), Box::new(place));
