@@ -577,8 +577,8 @@ fn answers_that_are_almost_json_are_read_and_the_trouble_is_named() {
     let folder = tempfile::tempdir().unwrap();
     for (answer, what, advice) in [
         (r#"printf '{"id":"%s","value":0.0D+00}\n' "$id""#, "Fortran's exponents", "Write an E for the D"),
-        (r#"printf '{"id":"%s","value":.0}\n' "$id""#, "begin or end with the decimal point", "0.5, 1.0"),
-        (r#"printf '{"id":"%s","value":0.}\n' "$id""#, "begin or end with the decimal point", "0.5, 1.0"),
+        (r#"printf '{"id":"%s","value":.0}\n' "$id""#, "a leading dot or a trailing dot", "0.5, 1.0"),
+        (r#"printf '{"id":"%s","value":0.}\n' "$id""#, "a leading dot or a trailing dot", "0.5, 1.0"),
         (r#"printf '{"id":"%s","value":+0.0}\n' "$id""#, "numbers with a plus sign", "Leave the plus sign out"),
         (r#"printf '{"id":"%s","value":0.0,}\n' "$id""#, "a comma behind the last entry", "between entries only"),
         (r#"printf "{'id': '%s', 'value': 0.0}\n" "$id""#, "strings in single quotes", "json.dumps"),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::graph::{GRAPH, Node, find};
+use crate::graph::{GRAPH, Node, find, on_other_routes};
 use crate::lost_digits::{LostDigits, Unexplained, WrongInput};
 
 /// Status of a quantity over all its cases.
@@ -111,6 +111,17 @@ pub fn blame(statuses: &BTreeMap<&str, Status>, unread: &Unread, lost: &LostDigi
             let without_given = with_given == WithGiven::Wrong;
             lost.unexplained(node.quantity, &wrong_inputs(node, without_given, statuses))
         });
+        // Reference inputs that were used show the paper's route.
+        let is_of_paper =
+            with_given == WithGiven::Right || with_given == WithGiven::Wrong && !unread.contains_key(node.quantity);
+        if numbers
+            && !is_of_paper
+            && (excuse.is_none() || unexplained.is_some())
+            && let Some(from) = on_other_route(node, statuses, lost)
+        {
+            blame.follow.push(Follower { quantity: node.quantity, from });
+            continue;
+        }
         match (excuse, unexplained) {
             (Some(from), None) => blame.follow.push(Follower { quantity: node.quantity, from }),
             (_, unexplained) => {
@@ -123,6 +134,15 @@ pub fn blame(statuses: &BTreeMap<&str, Status>, unread: &Unread, lost: &LostDigi
         }
     }
     blame
+}
+
+/// A wrong input of a route that is not the paper's, if it fails wherever the quantity does, together with the quantity's other inputs.
+fn on_other_route(node: &Node, statuses: &BTreeMap<&str, Status>, lost: &LostDigits) -> Option<&'static str> {
+    let wrong = |input: &&'static str| wrong_at_or_before(input, statuses, false);
+    let by_other: Vec<&'static str> = on_other_routes(node.quantity).iter().filter_map(wrong).collect();
+    let by_paper = node.inputs().filter_map(|input| wrong_at_or_before(input, statuses, false));
+    let all: Vec<&'static str> = by_other.iter().copied().chain(by_paper).collect();
+    by_other.first().copied().filter(|_| lost.fails_only_with(node.quantity, &all))
 }
 
 /// The quantity itself if it is wrong. If its status is unknown: the first wrong one among its inputs, and theirs. With `faults_count` a
@@ -197,6 +217,8 @@ fn reason(node: &Node, used: bool, with_given: WithGiven, statuses: &BTreeMap<&s
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::suite::Suite;
+    use crate::verdict::{Verdict, Wrong};
 
     const WRONG: Status = wrong(WithGiven::NotTried);
 
@@ -275,6 +297,24 @@ mod tests {
         let blame = blame_of(&statuses(&[("19.Q_e", cured)]));
         assert_eq!(culprits(&blame), ["19.Q_e"]);
         assert!(blame.culprits[0].because.contains("it uses other values internally"), "{blame:?}");
+    }
+
+    #[test]
+    fn a_wrong_stress_excuses_the_force_that_fails_in_the_same_states() {
+        let suite = Suite::embedded().unwrap();
+        let verdict = |digits: f64| match digits > 13.0 {
+            true => Verdict::Pass { digits },
+            false => Verdict::Wrong(Wrong { digits, entry: 0, answered: 0.0, expected: 1.0, answer: vec![0.0] }),
+        };
+        let verdicts = |digits: [f64; 2]| digits.into_iter().map(verdict).enumerate().collect::<Vec<_>>();
+        let statuses = statuses(&[("15.sigma", WRONG), ("19.Q_e", WRONG)]);
+        let blamed = |force: [f64; 2]| {
+            let both = [("15.sigma", verdicts([1.0, 16.0])), ("19.Q_e", verdicts(force))];
+            blame(&statuses, &Unread::new(), &LostDigits::of(&suite, &both))
+        };
+        assert_eq!(follow(&blamed([1.0, 16.0])), [("19.Q_e", "15.sigma")]);
+        // The force fails where the stress is right.
+        assert_eq!(culprits(&blamed([1.0, 1.0])), ["15.sigma", "19.Q_e"]);
     }
 
     #[test]

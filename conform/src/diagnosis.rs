@@ -4,9 +4,10 @@
 //! right cases. Wrong factors and signs are computed from the answers by `factors`.
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// invisible, ancestors, diagnose, factors, power;
-// errata, heat, law, integral, gradient, inertia, reading, angle, copied;
-// terms, cable, chain, layout, quadrature, jet, candidate, entries, observation, mistake.
+// invisible, ancestors, wrong_values, diagnose, factors, power;
+// force;
+// errata, heat, law, functions, integral, gradient, inertia, solution, reading, angle, copied;
+// terms, cable, chain, formulas, layout, quadrature, jet, candidate, entries, observation, mistake.
 mod ancestors;
 mod angle;
 mod cable;
@@ -17,6 +18,9 @@ mod diagnose;
 mod entries;
 mod errata;
 mod factors;
+mod force;
+mod formulas;
+mod functions;
 mod gradient;
 mod heat;
 mod inertia;
@@ -30,12 +34,15 @@ mod observation;
 mod power;
 mod quadrature;
 mod reading;
+mod solution;
 mod terms;
 #[cfg(test)]
 mod tests;
+mod wrong_values;
 
 pub use ancestors::{Ancestor, Seen, ancestors};
 pub use diagnose::{Diagnosis, diagnose};
 pub use invisible::{Invisible, invisible};
 pub use mistake::{Mistake, MistakeKind};
 pub use observation::{Observation, Outcome};
+pub use wrong_values::Upstream;

@@ -115,6 +115,25 @@ pub const GRAPH: &[Node] = &[
     node("cable.eddot", &["cable.M", "cable.Q_e", "cable.Q_w"], &[]),
 ];
 
+/// Inputs of quantities on routes that the paper does not take, but many programs do: strains and forces from the deformation gradient
+/// and the stresses, forces from an energy, a tangent from the force.
+const OTHER_ROUTES: &[(&str, &[&str])] = &[
+    ("A.2.e", &["A.1.r", "A.1.r_x", "A.1.r_y"]),
+    ("13.epsilon_1", &["10.epsilon_m"]),
+    ("13.epsilon_2", &["10.epsilon_m"]),
+    ("13.epsilon_3", &["10.epsilon_m"]),
+    ("12.epsilon_f", &["10.epsilon_m"]),
+    ("19.Q_e", &["9.J", "15.sigma", "18.U"]),
+    ("tangent.dQ_e", &["9.J", "16.D", "15.sigma", "19.Q_e", "18.U"]),
+    ("cable.Q_e", &["cable.U"]),
+    ("cable.tangent", &["cable.Q_e", "cable.U"]),
+];
+
+/// Inputs of a quantity on routes that the paper does not take.
+pub fn on_other_routes(quantity: &str) -> &'static [&'static str] {
+    OTHER_ROUTES.iter().find(|(name, _)| *name == quantity).map_or(&[], |(_, inputs)| inputs)
+}
+
 /// Node of a quantity; `None` if it is not asked for.
 pub fn find(quantity: &str) -> Option<&'static Node> {
     GRAPH.iter().find(|node| node.quantity == quantity)
@@ -139,6 +158,20 @@ mod tests {
                 assert!(seen.contains(input), "{} uses {input}", node.quantity);
             }
             assert!(seen.insert(node.quantity), "{} is listed twice", node.quantity);
+        }
+    }
+
+    #[test]
+    fn other_routes_lead_forwards_and_are_not_the_papers() {
+        let place = |quantity: &str| GRAPH.iter().position(|node| node.quantity == quantity).unwrap();
+        for (quantity, inputs) in OTHER_ROUTES {
+            for input in *inputs {
+                assert!(place(input) < place(quantity) || *quantity == "A.2.e", "{quantity} uses {input}");
+                assert!(
+                    !find(quantity).unwrap().inputs().any(|of_paper| of_paper == *input),
+                    "{quantity} uses {input}"
+                );
+            }
         }
     }
 

@@ -25,7 +25,7 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, given, examination, diagnosis, blame, memory, convention, lost_digits, precision, answers, formula;
+// schema, report, examiner, standing, given, examination, diagnosis, blame, memory, convention, lost_digits, precision, answers, formula;
 // recorded, program, subject, process, lines; protocol, declaration, spelling, trouble, quotation; selection, equations_text,
 // state_file; verdict, suite, numbers, graph, error. `trajectory` stands beside them: of this crate it imports error alone.
 mod answers;
@@ -54,6 +54,7 @@ pub mod report;
 mod schema;
 mod selection;
 mod spelling;
+mod standing;
 mod state_file;
 mod subject;
 mod suite;

@@ -71,6 +71,15 @@ impl LostDigits {
         cases.max_by(|a, b| (a.lost - a.input_lost).total_cmp(&(b.lost - b.input_lost)))
     }
 
+    /// Whether some of the inputs fails in every case in which a quantity fails.
+    pub fn fails_only_with(&self, quantity: &str, inputs: &[&str]) -> bool {
+        let fails =
+            |input: &&str, case: &str| self.0.get(*input).and_then(|of| of.get(case)).is_some_and(|lost| lost.fails);
+        let Some(cases) = self.0.get(quantity) else { return false };
+        let mut failing = cases.iter().filter(|(_, lost)| lost.fails).peekable();
+        failing.peek().is_some() && failing.all(|(case, _)| inputs.iter().any(|input| fails(input, case)))
+    }
+
     /// Digits that an input lost, as far as it matters in a case; `None` without numbers.
     fn lost_by(&self, input: WrongInput, case: &str) -> Option<f64> {
         let cases = self.0.get(input.quantity)?;

@@ -4,13 +4,14 @@
 //! digits. Errors decide only where the form says nothing (`level`). Tolerances then are those of `attainable`.
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// level, attainable, perturbed, form, number, answered.
+// level, attainable, perturbed, single, form, number, answered.
 mod answered;
 mod attainable;
 mod form;
 mod level;
 mod number;
 mod perturbed;
+mod single;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

@@ -11,7 +11,7 @@ use serde::Serialize;
 pub enum Trouble {
     /// Numbers with Fortran's exponents, such as 0.1D+01.
     FortranExponent,
-    /// Numbers that begin or end with the decimal point, such as .5 and 1.
+    /// Numbers that a leading dot or a trailing dot, such as .5 and 1.
     BareDecimalPoint,
     /// Numbers with a plus sign, such as +1.
     PlusSign,
@@ -44,7 +44,7 @@ impl Trouble {
     pub(crate) fn what(self) -> &'static str {
         match self {
             Trouble::FortranExponent => "numbers with Fortran's exponents (`0.1D+01`)",
-            Trouble::BareDecimalPoint => "numbers that begin or end with the decimal point (`.5`, `1.`)",
+            Trouble::BareDecimalPoint => "numbers with a leading dot or a trailing dot (`.5`, `1.`)",
             Trouble::PlusSign => "numbers with a plus sign (`+1`)",
             Trouble::NotFinite => "NaN or infinity, which JSON does not have",
             Trouble::TrailingComma => "a comma behind the last entry",

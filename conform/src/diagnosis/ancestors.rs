@@ -4,40 +4,34 @@
 //! the [`Chain`] to all that is answered. One that explains it all, right answers too, is named with its root.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::rc::Rc;
 
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::chain::{self, Chain, Values};
-use super::diagnose::{candidates, common_tags, explains};
+use super::chain::{self, Values};
+use super::diagnose::{common_tags, explains};
 use super::mistake::{Mistake, MistakeKind};
 use super::observation::{Observation, Outcome};
-use super::power::{PowerLaw, numbers_of};
-use super::terms;
-use super::terms::term::Term;
+use super::wrong_values::{Key, Upstream};
 use crate::graph::{GRAPH, equation, find};
-use crate::suite::{Case, Reference, State};
+use crate::suite::{Case, State};
 
 /// Largest number of mistakes that are named for an ancestor.
 const MOST_NAMED: usize = 3;
 /// Largest number of mistakes that are tried as the first of two.
 const MOST_FIRST: usize = 6;
-/// Factors that terms of an earlier quantity are often wrong by.
-const FACTORS: [f64; 12] = [-1.0, 0.0, 2.0, 0.5, 4.0, 0.25, 3.0, 1.0 / 3.0, 1.5, 2.0 / 3.0, -2.0, -0.5];
-/// Lengths and other numbers that are often forgotten, or one too many: place in the list of [`PowerLaw`] and exponent.
-const POWERS: [(usize, i32); 6] = [(0, 1), (0, -1), (1, 1), (1, -1), (2, -1), (3, -1)];
-/// A wrong value counts as right if it differs by this share of its largest entry at most.
-const NEUTRAL: f64 = 1e-12;
-
 /// Quantities with a common cause: one function, or lines that are copied from one another.
-const FAMILIES: [&[&str]; 5] = [
+const FAMILIES: [&[&str]; 6] = [
     &["3.S", "3.S_x", "3.S_y"],
     &["3.S_x", "3.S_y"],
+    &["17.lambda", "17.mu"],
     &["11.S_a", "11.S_b", "11.S_c"],
     &["21.S_a1", "21.S_b1", "21.S_c1"],
     &["21.K_1", "21.K_2", "21.K_3"],
 ];
+
+/// Integrals of the shape functions alone: a mistake in a function whose mean is zero does not show.
+const MEANS: [&str; 2] = ["gravity.Q_w", "cable.Q_w"];
 
 /// Tags of states in which a mistake in a quantity shows.
 const SHOWN_BY: [(&str, &[&str]); 6] = [
@@ -67,15 +61,17 @@ pub struct Ancestor {
 /// Answers by quantity.
 pub type Seen<'a> = BTreeMap<&'static str, Vec<Observation<'a>>>;
 
-/// A mistake in a root: the quantities whose values it changes, and whether J_0 is computed from θ.
-type Key = (&'static [&'static str], bool, Mistake);
-
 /// Ancestors of a culprit that may be wrong, likeliest first. `is_right` tells quantities that are right in all their cases.
-pub fn ancestors(culprit: &'static str, seen: &Seen, is_right: impl Fn(&str) -> bool) -> Vec<Ancestor> {
+pub fn ancestors(
+    culprit: &'static str,
+    seen: &Seen,
+    is_right: impl Fn(&str) -> bool,
+    upstream: &mut Upstream,
+) -> Vec<Ancestor> {
     let is_answered = |quantity: &str| seen.get(quantity).is_some_and(|answers| !answers.is_empty());
     let Some(observations) = seen.get(culprit) else { return Vec::new() };
     let shown_right: BTreeSet<&str> = (seen.keys())
-        .filter(|quantity| is_right(quantity))
+        .filter(|quantity| is_right(quantity) && !MEANS.contains(quantity))
         .flat_map(|quantity| chain::ancestors(quantity).into_iter().chain(before(quantity, false, &|_| true)))
         .collect();
     let is_possible = |quantity: &&'static str| !is_answered(quantity) && !shown_right.contains(quantity);
@@ -87,7 +83,7 @@ pub fn ancestors(culprit: &'static str, seen: &Seen, is_right: impl Fn(&str) -> 
     // The force may also be computed from stresses, which the paper does not do.
     let by_stress = chain::ancestors(culprit).into_iter().filter(is_possible);
     let roots: BTreeSet<&'static str> = in_graph.iter().copied().chain(by_stress).collect();
-    let Fitting { mut mistakes, together } = fitting(culprit, &roots, seen);
+    let Fitting { mut mistakes, together } = fitting(culprit, &roots, seen, upstream);
     let tags = common_tags(observations);
     let mut all: Vec<Ancestor> = Vec::new();
     for quantity in &roots {
@@ -184,8 +180,8 @@ impl Fitting {
 }
 
 /// Mistakes that explain all answers to the culprit, and to all other quantities that they change.
-fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -> Fitting {
-    let mut search = Search::new(culprit, roots);
+fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen, upstream: &mut Upstream) -> Fitting {
+    let mut search = Search { culprit, roots, upstream };
     let is_number = |observation: &&Observation| matches!(observation.outcome, Outcome::Right | Outcome::Wrong(_));
     let mut judged: Vec<(&'static str, &Observation)> = (seen.iter())
         .flat_map(|(quantity, all)| all.iter().filter(is_number).map(|observation| (*quantity, observation)))
@@ -199,6 +195,7 @@ fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -
     let all = search.keys_of(first.case);
     let mut fitting = all.clone();
     for (quantity, observation) in &judged {
+        search.prepare(observation.case, &fitting);
         fitting.retain(|key| search.explains(quantity, observation, &[key]));
         if fitting.is_empty() {
             break;
@@ -218,10 +215,12 @@ fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -
     let mut all: Vec<Key> = all.into_iter().filter(|(members, ..)| !chain::is_by_stress(members)).collect();
     // The same mistake in a later quantity is what follows from it: roots first.
     all.sort_by_key(|(members, ..)| GRAPH.iter().position(|node| members.first() == Some(&node.quantity)));
+    search.prepare(simplest.case, &all);
     let alone: Vec<Key> =
         all.iter().filter(|key| search.explains(culprit, simplest, &[*key])).take(MOST_FIRST).cloned().collect();
     for one in &alone {
         let Some(other) = of_culprit.iter().find(|o| !search.explains(culprit, o, &[one])) else { continue };
+        search.prepare(other.case, &all);
         let apart = |two: &&Key| two.0.iter().all(|member| !one.0.contains(member));
         let partners: Vec<&Key> =
             all.iter().filter(apart).filter(|two| search.explains(culprit, other, &[one, *two])).collect();
@@ -234,26 +233,18 @@ fn fitting(culprit: &'static str, roots: &BTreeSet<&'static str>, seen: &Seen) -
     Fitting::default()
 }
 
-/// Judges mistakes; remembers the wrong values of each case.
+/// Judges mistakes in the roots of a culprit.
 struct Search<'a> {
     culprit: &'static str,
     roots: &'a BTreeSet<&'static str>,
-    cases: BTreeMap<String, Option<InCase>>,
+    upstream: &'a mut Upstream,
 }
 
-impl<'a> Search<'a> {
-    fn new(culprit: &'static str, roots: &'a BTreeSet<&'static str>) -> Search<'a> {
-        Search { culprit, roots, cases: BTreeMap::new() }
-    }
-
-    fn in_case(&mut self, case: &Case) -> Option<&mut InCase> {
-        self.cases.entry(case.id.clone()).or_insert_with(|| InCase::new(case)).as_mut()
-    }
-
+impl Search<'_> {
     /// All mistakes that have a value in a case.
     fn keys_of(&mut self, case: &Case) -> BTreeSet<Key> {
         let roots = self.roots;
-        let Some(in_case) = self.in_case(case) else { return BTreeSet::new() };
+        let Some(in_case) = self.upstream.in_case(case) else { return BTreeSet::new() };
         let families = FAMILIES.iter().filter(|family| family.iter().all(|root| roots.contains(root)));
         let members: Vec<&'static [&'static str]> =
             roots.iter().filter_map(|root| singleton(root)).chain(families.copied()).collect();
@@ -262,7 +253,8 @@ impl<'a> Search<'a> {
             for mistake in in_case.mistakes_of(case, members) {
                 keys.insert((members, false, mistake.clone()));
                 // J_0 follows from the shape functions, or θ is used in its place.
-                if members.iter().any(|member| member.starts_with("3.S_")) {
+                // A wrong J is that of the strains alone, or of their derivatives, too.
+                if members.iter().any(|member| member.starts_with("3.S_") || *member == "9.J") {
                     keys.insert((members, true, mistake));
                 }
             }
@@ -270,11 +262,26 @@ impl<'a> Search<'a> {
         keys
     }
 
+    /// Computes the wrong values that these mistakes have in a case, all those of a root at once.
+    fn prepare<'k>(&mut self, case: &Case, keys: impl IntoIterator<Item = &'k Key>) {
+        let mut wanted: BTreeMap<&'static str, BTreeSet<&Mistake>> = BTreeMap::new();
+        for (members, _, mistake) in keys {
+            for member in *members {
+                wanted.entry(member).or_default().insert(mistake);
+            }
+        }
+        if let Some(in_case) = self.upstream.in_case(case) {
+            for (root, mistakes) in &wanted {
+                in_case.prepare(case, root, mistakes);
+            }
+        }
+    }
+
     /// Whether mistakes, made at once, explain an answer. Those that do not change the quantity explain any but the culprit's.
     fn explains(&mut self, quantity: &'static str, observation: &Observation, keys: &[&Key]) -> bool {
         let (culprit, case) = (self.culprit, observation.case);
         let Some(reference) = case.values.get(quantity) else { return true };
-        let Some(in_case) = self.in_case(case) else { return quantity != culprit };
+        let Some(in_case) = self.upstream.in_case(case) else { return quantity != culprit };
         let mut replaced = Values::new();
         for key in keys {
             let Some(values) = in_case.values(case, key) else { return false };
@@ -287,138 +294,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Wrong value of a root by mistake; `None` where a mistake changes nothing.
-type WrongValues = BTreeMap<Mistake, Option<Rc<Vec<f64>>>>;
-
-/// Wrong values of roots in one case.
-struct InCase {
-    chain: Chain,
-    wrong: BTreeMap<&'static str, WrongValues>,
-}
-
-impl InCase {
-    fn new(case: &Case) -> Option<InCase> {
-        match &case.state {
-            State::Element(state) => Some(InCase { chain: Chain::new(state), wrong: BTreeMap::new() }),
-            _ => None,
-        }
-    }
-
-    /// Mistakes that all members have in common.
-    fn mistakes_of(&mut self, case: &Case, members: &'static [&'static str]) -> Vec<Mistake> {
-        for member in members {
-            if !self.wrong.contains_key(member) {
-                let wrong = self.wrong_values(case, member, |_| true);
-                self.wrong.insert(member, wrong);
-            }
-        }
-        let Some(first) = members.first().and_then(|member| self.wrong.get(member)) else { return Vec::new() };
-        let is_common = |mistake: &&Mistake| {
-            members.iter().all(|member| self.wrong.get(member).is_some_and(|wrong| wrong.contains_key(mistake)))
-        };
-        first.keys().filter(is_common).cloned().collect()
-    }
-
-    /// Wrong values of a mistake, empty where it changes nothing; `None` if it has no value.
-    fn values(&mut self, case: &Case, (members, by_angle, mistake): &Key) -> Option<Values> {
-        let mut values = Values::new();
-        for member in *members {
-            let known = self.wrong.get(member).and_then(|wrong| wrong.get(mistake)).cloned();
-            let value = match known {
-                Some(value) => value,
-                None => {
-                    let mut wrong = self.wrong_values(case, member, |other| other == mistake);
-                    let value = wrong.remove(mistake)?;
-                    self.wrong.entry(member).or_default().insert(mistake.clone(), value.clone());
-                    value
-                }
-            };
-            values.extend(value.map(|value| (*member, value)));
-        }
-        if *by_angle && !values.is_empty() {
-            values.insert("9.J_0", self.chain.right("9.J_0")?);
-        }
-        Some(values)
-    }
-
-    /// Wrong values of a root, at all points.
-    fn wrong_values(&self, case: &Case, root: &'static str, is_wanted: impl Fn(&Mistake) -> bool) -> WrongValues {
-        let mut wrong = WrongValues::new();
-        let Some(case) = self.everywhere(case, root) else { return wrong };
-        let Some(reference) = case.values.get(root) else { return wrong };
-        let right = &reference.numbers;
-        let size = right.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
-        let mut add = |mistake: Mistake, value: Vec<f64>| {
-            let usable = value.len() == right.len() && value.iter().all(|value| value.is_finite());
-            let differs = value.iter().zip(right).any(|(wrong, right)| (wrong - right).abs() > NEUTRAL * size);
-            if usable {
-                wrong.insert(mistake, differs.then(|| Rc::new(value)));
-            }
-        };
-        for candidate in candidates(root, &case, reference) {
-            if is_wanted(&candidate.mistake)
-                && let Some(value) = (candidate.value)()
-            {
-                add(candidate.mistake, value);
-            }
-        }
-        for term in terms::of(root, &case).into_iter().chain(terms::parts(reference)) {
-            for (mistake, by) in scaled(&term, &case) {
-                if is_wanted(&mistake) {
-                    add(mistake, right.iter().zip(&term.numbers).map(|(right, term)| right + by * term).collect());
-                }
-            }
-        }
-        wrong
-    }
-
-    /// The case with the root's reference value at all points of the chain, and what may be mistaken for it.
-    fn everywhere(&self, case: &Case, root: &'static str) -> Option<Case> {
-        let state = &self.chain.everywhere;
-        let own = case.values.get(root)?;
-        let mut values: BTreeMap<String, Reference> = (case.values.iter())
-            .filter(|(_, value)| !value.per_point)
-            .map(|(name, value)| (name.clone(), value.clone()))
-            .collect();
-        let alike = case.values.iter().filter(|(_, value)| value.per_point && value.shape == own.shape);
-        for (name, value) in alike {
-            let Some(node) = find(name) else { continue };
-            let numbers = self.chain.right(node.quantity)?.to_vec();
-            let mut shape = value.shape.clone();
-            if let Some(points) = shape.first_mut() {
-                *points = state.points.len();
-            }
-            let absolute = vec![value.relative; numbers.len()];
-            values.insert(name.clone(), Reference { shape, numbers, absolute, ..value.clone() });
-        }
-        Some(Case {
-            id: case.id.clone(),
-            tags: case.tags.clone(),
-            state_json: case.state_json.clone(),
-            state: State::Element(Box::new(state.clone())),
-            values,
-            terms: BTreeMap::new(),
-        })
-    }
-}
-
 /// The static list with this root alone.
 fn singleton(root: &str) -> Option<&'static [&'static str]> {
     find(root).map(|node| std::slice::from_ref(&node.quantity))
-}
-
-/// Mistakes that multiply a term by a usual factor, and what each adds in terms of it.
-fn scaled(term: &Term, case: &Case) -> Vec<(Mistake, f64)> {
-    if !term.belongs {
-        let what = |sign: &str| format!("{sign} {}, which does not belong there", term.name);
-        let kind = MistakeKind::Other;
-        return vec![(Mistake { kind, what: what("plus") }, 1.0), (Mistake { kind, what: what("minus") }, -1.0)];
-    }
-    let of = numbers_of(case);
-    let by = |law: PowerLaw| {
-        let (kind, words) = law.words();
-        (Mistake { kind, what: format!("{} {words}", term.name) }, law.value(&of) - 1.0)
-    };
-    let constants = FACTORS.into_iter().map(PowerLaw::constant);
-    constants.chain(POWERS.into_iter().map(|(place, n)| PowerLaw::power(place, n))).map(by).collect()
 }

@@ -10,7 +10,10 @@ use super::candidate::Candidate;
 use super::entries::wrong_entries;
 use super::mistake::{Mistake, MistakeKind};
 use super::observation::{Observation, Outcome, distance};
-use super::{angle, cable, copied, errata, factors, gradient, heat, inertia, integral, law, layout, reading};
+use super::{
+    angle, cable, copied, errata, factors, force, functions, gradient, heat, inertia, integral, law, layout, reading,
+    solution,
+};
 use crate::suite::{Case, Reference, State};
 
 /// Largest number of mistakes that are named.
@@ -153,12 +156,23 @@ pub(super) fn candidates<'a>(quantity: &'a str, case: &'a Case, reference: &'a R
     let mut all = errata::of(quantity, case);
     all.extend(layout::of(reference));
     all.extend(copied::of(quantity, case, reference));
+    all.extend(solution::of(quantity, case));
     if let State::Cable(state) = &case.state {
         all.extend(cable::of(quantity, state));
     }
     if let State::Element(state) = &case.state {
         type Of = for<'a> fn(&'a str, &'a ElementState) -> Vec<Candidate<'a>>;
-        let all_of: [Of; 7] = [angle::of, heat::of, law::of, gradient::of, inertia::of, integral::of, reading::of];
+        let all_of: [Of; 9] = [
+            angle::of,
+            heat::of,
+            law::of,
+            functions::of,
+            gradient::of,
+            inertia::of,
+            integral::of,
+            force::of,
+            reading::of,
+        ];
         all.extend(all_of.into_iter().flat_map(|of| of(quantity, state)));
     }
     all

@@ -11,7 +11,11 @@ const MOST_NAMED: usize = 4;
 
 /// Entries of a matrix, row by row.
 pub(super) fn rows<R: Dim, C: Dim, S: RawStorage<f64, R, C>>(matrix: &Matrix<f64, R, C, S>) -> Vec<f64> {
-    matrix.row_iter().flat_map(|row| row.iter().copied().collect::<Vec<_>>()).collect()
+    let mut entries = Vec::with_capacity(matrix.len());
+    for row in 0..matrix.nrows() {
+        entries.extend((0..matrix.ncols()).map(|column| matrix[(row, column)]));
+    }
+    entries
 }
 
 /// Name of an entry by its indices, such as (3, 7), counted from 1.

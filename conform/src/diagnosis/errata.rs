@@ -2,6 +2,8 @@
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
+use nalgebra::DMatrix;
+
 use super::candidate::{Candidate, candidate, possible};
 use super::entries::rows;
 use super::mistake::MistakeKind::Erratum;
@@ -10,11 +12,13 @@ use crate::suite::{Case, State};
 use ancf::equations::element::{Element, Matrix14};
 use ancf::equations::force;
 use ancf::equations::material::LameConstants;
+use ancf::equations::motion;
 use ancf::equations::shape::Vector14;
+use ancf::internals::state::SystemState;
 use ancf::state::{ElementState, evaluate};
 
 /// Candidates with the printed forms of the fixtures.
-pub(super) fn of<'a>(quantity: &str, case: &'a Case) -> Vec<Candidate<'a>> {
+pub(super) fn of<'a>(quantity: &'a str, case: &'a Case) -> Vec<Candidate<'a>> {
     let printed = |what: &str, name: &'static str| {
         vec![possible(Erratum, what, move || case.values.get(name).map(|value| value.numbers.clone()))]
     };
@@ -29,10 +33,26 @@ pub(super) fn of<'a>(quantity: &str, case: &'a Case) -> Vec<Candidate<'a>> {
         "23.residual" => printed("E4: Φ_q λ for Φ_qᵀ λ", "23.residual/printed"),
         _ => Vec::new(),
     };
-    if let State::Element(state) = &case.state {
-        all.extend(of_element(quantity, state));
+    match &case.state {
+        State::Element(state) => all.extend(of_element(quantity, state)),
+        State::System(system) => all.extend(of_system(quantity, system)),
+        State::Cable(_) => {}
     }
     all
+}
+
+/// Candidates with E4 where Φ_q is one list of numbers: any shape can be read from it.
+fn of_system<'a>(quantity: &str, system: &'a SystemState) -> Option<Candidate<'a>> {
+    let SystemState { m, q_ddot, kq, Phi_q, lambda, f } = system;
+    let force = move || DMatrix::from_row_slice(Phi_q.ncols(), Phi_q.nrows(), &rows(Phi_q)) * lambda;
+    let what = "E4: Φ_q λ for Φ_qᵀ λ, with Φ_q read from one list";
+    match quantity {
+        "23.constraint_force" => Some(candidate(Erratum, what, move || rows(&force()))),
+        "23.residual" => {
+            Some(candidate(Erratum, what, move || rows(&motion::system_residual(m, q_ddot, kq, &force(), f))))
+        }
+        _ => None,
+    }
 }
 
 /// Candidates with a part of E2, the −1 without the missing heat, and with E2 and E3 together.

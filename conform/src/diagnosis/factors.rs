@@ -45,6 +45,7 @@ pub(super) fn of_one_term(quantity: &str, judged: &[&Observation]) -> Vec<(Mista
         let Some(excess) = excess(observation.outcome, reference) else { return Vec::new() };
         let mut terms = terms::of(quantity, observation.case);
         terms.extend(terms::parts(reference));
+        terms.extend(terms::of_points(quantity, observation.case));
         let mut explained_by = BTreeMap::new();
         for term in terms {
             let mut factors = match by_name.remove(&term.name) {

@@ -6,7 +6,7 @@ use nalgebra::Matrix2;
 
 use super::candidate::{Candidate, candidate};
 use super::entries::rows;
-use super::mistake::MistakeKind::{self, Factor, Other, Sign, Transpose};
+use super::mistake::MistakeKind::{self, Factor, Missing, Other, Sign, Transpose};
 use ancf::equations::element::Matrix14;
 use ancf::equations::force::S_1;
 use ancf::equations::shape::{self, Vector14};
@@ -50,6 +50,51 @@ impl Gradients {
     }
 }
 
+impl Gradients {
+    /// J_0⁻¹ with its entries (1, 2) and (2, 1) multiplied.
+    fn inverse_with_signs(&self, of_12: f64, of_21: f64) -> Matrix2<f64> {
+        self.inverse.component_mul(&Matrix2::new(1.0, of_12, of_21, 1.0))
+    }
+}
+
+/// Candidates for S_a, S_b and S_c.
+fn metrics<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
+    let which = match quantity {
+        "11.S_a" => 0,
+        "11.S_b" => 1,
+        _ => 2,
+    };
+    // The closed form of (11), with its squares and with numbers in their places.
+    let closed = move |squares: fn(f64, f64) -> [f64; 2], theta: f64| {
+        let (sin, cos) = theta.sin_cos();
+        let ([cc, ss], sc) = (squares(cos, sin), sin * cos);
+        let factors = [[cc, -sc, -sc, ss], [ss, sc, sc, cc], [sc, cc, -ss, -sc]][which];
+        let at = |&[x, y]: &[f64; 2]| {
+            let (S_x, S_y) = (shape::S_x(x, y, state.l), shape::S_y(x, y, state.l));
+            let products = [S_x.tr_mul(&S_x), S_x.tr_mul(&S_y), S_y.tr_mul(&S_x), S_y.tr_mul(&S_y)];
+            rows(&products.iter().zip(factors).fold(Matrix14::zeros(), |S, (product, by)| S + product * by))
+        };
+        state.points.iter().flat_map(at).collect()
+    };
+    let theta = state.theta;
+    let now = (state.e[11] - state.e[1]).atan2(state.e[10] - state.e[0]);
+    let mut all = vec![
+        candidate(Other, "θ of the present chord from r_i to r_k for θ", move || {
+            closed(|cos, sin| [cos * cos, sin * sin], now)
+        }),
+        candidate(Other, "cos θ for cos²θ", move || closed(|cos, sin| [cos, sin * sin], theta)),
+        candidate(Other, "sin θ for sin²θ", move || closed(|cos, sin| [cos * cos, sin], theta)),
+        candidate(Other, "cos θ and sin θ for their squares", move || closed(|cos, sin| [cos, sin], theta)),
+    ];
+    if quantity == "11.S_c" {
+        all.extend(at_points(
+            state,
+            [(Factor, "S_cᵀ + S_c, symmetrised already: twice the shear", |g| rows(&S_1(&g.S[2])))],
+        ));
+    }
+    all
+}
+
 fn I() -> Matrix2<f64> {
     Matrix2::identity()
 }
@@ -64,7 +109,14 @@ pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidat
                 (Transpose, "J_0⁻¹ multiplied from the left", |g| rows(&(g.inverse * g.now))),
                 (Transpose, "the gradient transposed before J_0⁻¹", |g| rows(&(g.now.transpose() * g.inverse))),
                 (Other, "J_0 for J_0⁻¹", |g| rows(&(g.now * g.first))),
-                (Other, "without J_0⁻¹", |g| rows(&g.now)),
+                (Missing, "without J_0⁻¹", |g| rows(&g.now)),
+                (Sign, "J_0⁻¹ without its minus signs", |g| rows(&(g.now * g.inverse_with_signs(-1.0, -1.0)))),
+                (Sign, "J_0⁻¹ without the minus sign of its entry (1, 2)", |g| {
+                    rows(&(g.now * g.inverse_with_signs(-1.0, 1.0)))
+                }),
+                (Sign, "J_0⁻¹ without the minus sign of its entry (2, 1)", |g| {
+                    rows(&(g.now * g.inverse_with_signs(1.0, -1.0)))
+                }),
                 (Other, "the inverse: ∂r_0/∂r", |g| rows(&g.J.try_inverse().unwrap_or_else(Matrix2::zeros))),
                 (Other, "the initial r_x for the current one", |g| {
                     rows(&(Matrix2::from_columns(&[g.first.column(0), g.now.column(1)]) * g.inverse))
@@ -83,6 +135,15 @@ pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidat
                 (Other, "½ (I − J⁻ᵀJ⁻¹), the Almansi strain", |g| {
                     let back = g.J.try_inverse().unwrap_or_else(Matrix2::zeros);
                     rows(&(0.5 * (I() - back.transpose() * back)))
+                }),
+                (Other, "1 subtracted from all entries of JᵀJ", |g| {
+                    rows(&(0.5 * (g.J.transpose() * g.J).add_scalar(-1.0)))
+                }),
+                (Missing, "1 subtracted from the first entry of JᵀJ alone", |g| {
+                    rows(&(0.5 * (g.J.transpose() * g.J - Matrix2::new(1.0, 0.0, 0.0, 0.0))))
+                }),
+                (Missing, "1 subtracted from the last entry of JᵀJ alone", |g| {
+                    rows(&(0.5 * (g.J.transpose() * g.J - Matrix2::new(0.0, 0.0, 0.0, 1.0))))
                 }),
                 (Other, "½ (J − I)ᵀ(J − I)", |g| {
                     let H = g.J - I();
@@ -104,9 +165,7 @@ pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidat
                 (Other, "S_cᵀ S_c for S_cᵀ + S_c", |g| rows(&(g.S[2].transpose() * g.S[2]))),
             ],
         ),
-        "11.S_c" => {
-            at_points(state, [(Factor, "S_cᵀ + S_c, symmetrised already: twice the shear", |g| rows(&S_1(&g.S[2])))])
-        }
+        "11.S_a" | "11.S_b" | "11.S_c" => metrics(quantity, state),
         _ => Vec::new(),
     }
 }

@@ -15,11 +15,19 @@ pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidat
     if !matches!(quantity, "8.epsilon_T" | "14.epsilon") && !HEATED.contains(&quantity) {
         return Vec::new();
     }
+    // (21) for K_3 has the shear component alone: the others make no difference there.
+    let matters = |(kind, what, _): &(MistakeKind, String, Vector3<f64>)| {
+        quantity != "21.K_3" || *kind != HeatAlongX && !ONLY_ALONG_THE_AXES.iter().any(|axes| what.starts_with(axes))
+    };
     strains(state)
         .into_iter()
+        .filter(matters)
         .map(|(kind, what, eps_T)| possible(kind, what, move || with_heat(quantity, state, &eps_T)))
         .collect()
 }
+
+/// Beginnings of the names of strains whose shear component is zero, or right.
+const ONLY_ALONG_THE_AXES: [&str; 4] = ["[0, αΔT, 0]", "cos θ", "no heat", "cos θ, sin θ without"];
 
 /// Wrong thermal strains divided by αΔT, (11, 22, 12) in global axes.
 fn directions(theta: f64) -> [(MistakeKind, &'static str, [f64; 3]); 11] {
@@ -29,7 +37,7 @@ fn directions(theta: f64) -> [(MistakeKind, &'static str, [f64; 3]); 11] {
         (HeatOnShear, "2 sin θ cos θ on the shear component", [cos * cos, sin * sin, 2.0 * sin * cos]),
         (HeatOnShear, "½ sin θ cos θ on the shear component", [cos * cos, sin * sin, 0.5 * sin * cos]),
         (HeatOnShear, "−sin θ cos θ on the shear component", [cos * cos, sin * sin, -sin * cos]),
-        (HeatOnShear, "cos²θ, sin²θ without the shear component", [cos * cos, sin * sin, 0.0]),
+        (Heat, "cos²θ, sin²θ without the shear component", [cos * cos, sin * sin, 0.0]),
         (HeatAlongX, "[αΔT, 0, 0]", [1.0, 0.0, 0.0]),
         (Heat, "[0, αΔT, 0]", [0.0, 1.0, 0.0]),
         (SinCos, "cos θ and sin θ exchanged", [sin * sin, cos * cos, sin * cos]),
@@ -59,6 +67,7 @@ fn strains(state: &ElementState) -> Vec<(MistakeKind, String, Vector3<f64>)> {
     let scaled = |factor: f64| if heat == 0.0 { right } else { right * factor };
     let stretch = (1.0 + 2.0 * heat).max(0.0).sqrt() - 1.0;
     let unit = |model| ElementState { alpha: 1.0, dT: 1.0, model, ..state.clone() }.eps_T();
+    let only = |model: ThermalModel, wrong: Vector3<f64>| if state.model == model { wrong } else { right };
     let others = [
         (HeatOnShear, "αΔT on the shear component too", where_heated(right + Vector3::z() * heat)),
         (Heat, "2D heat in the 1D model", where_heated(both)),
@@ -69,6 +78,14 @@ fn strains(state: &ElementState) -> Vec<(MistakeKind, String, Vector3<f64>)> {
         (Factor, "half of the heat: αΔT for 2αΔT", 0.5 * right),
         (Factor, "twice the heat", 2.0 * right),
         (Heat, "(1 + ν)αΔT: thermal strain of true plane strain", (1.0 + state.nu) * right),
+        (Heat, "(1 + ν)αΔT in the 1D model", only(ThermalModel::OneD, (1.0 + state.nu) * right)),
+        (Heat, "(1 + ν)αΔT in the 2D model: thermal strain of true plane strain", {
+            only(ThermalModel::TwoD, (1.0 + state.nu) * right)
+        }),
+        (Heat, "|ΔT| for ΔT: cooling expands", scaled(state.dT.signum())),
+        (Heat, "2D heat whatever the model", both),
+        (Heat, "1D heat whatever the model", along),
+        (Heat, "½((1 + αΔT)² − 1) for αΔT", scaled(1.0 + 0.5 * heat)),
         (Heat, "√(1 + 2αΔT) − 1 for αΔT", scaled(stretch / heat)),
         (Heat, "ΔT + 273.15: ΔT is a difference of temperatures", {
             unit(state.model) * state.alpha * (state.dT + 273.15)

@@ -1,13 +1,13 @@
-//! Lumped masses in (6), (7) and the weight.
+//! Mistakes in the masses of (6), (7) and the weight.
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
 use super::candidate::{Candidate, candidate};
 use super::entries::rows;
-use super::mistake::MistakeKind::Other;
+use super::mistake::MistakeKind::{Missing, Other};
 use ancf::equations::inertia;
 use ancf::equations::shape::Vector14;
-use ancf::state::ElementState;
+use ancf::state::{ElementState, evaluate};
 use nalgebra::SMatrix;
 
 /// Shares of the mass at r_i, r_j and r_k.
@@ -23,11 +23,35 @@ fn by_coordinate([i, j, k]: [f64; 3]) -> Vector14 {
     Vector14::from_fn(|n, _| vectors[n / 2])
 }
 
-/// Candidates with lumped masses.
+/// Candidates with wrong masses.
 pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     if !matches!(quantity, "7.M" | "6.T" | "gravity.Q_w") {
         return Vec::new();
     }
+    let now = (state.e[10] - state.e[0]).hypot(state.e[11] - state.e[1]) / state.l;
+    let stretched = candidate(Other, "the present length |r_k − r_i| for l in the mass", move || {
+        evaluate(quantity, &ElementState { rho: now * state.rho, ..state.clone() }).unwrap_or_default()
+    });
+    let mut all = lumped(quantity, state);
+    all.push(stretched);
+    match quantity {
+        "7.M" => all.push(candidate(Other, "the masses between x and y too", move || {
+            let M = inertia::M(state.rho, &state.element());
+            rows(&M.map_with_location(|row, column, _| M[(row / 2 * 2, column / 2 * 2)]))
+        })),
+        "6.T" => all.extend(["x", "y"].into_iter().enumerate().map(|(component, name)| {
+            candidate(Missing, format!("the velocity along {name} only"), move || {
+                let edot = std::array::from_fn(|n| if n % 2 == component { state.edot[n] } else { 0.0 });
+                evaluate(quantity, &ElementState { edot, ..state.clone() }).unwrap_or_default()
+            })
+        })),
+        _ => {}
+    }
+    all
+}
+
+/// Candidates with masses in the nodes.
+fn lumped<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     let mass = state.rho * state.l * state.h * state.w;
     let lumped = SHARES.map(|(what, shares)| (format!("lumped: {what}"), mass * by_coordinate(shares)));
     if quantity == "gravity.Q_w" {

@@ -51,6 +51,24 @@ fn rules(state: &ElementState) -> Vec<(String, Vec<Point>)> {
             }
         }
     }
+    let exchanged = |rule: &[(f64, f64)]| -> Vec<(f64, f64)> {
+        let weights: Vec<f64> = rule.iter().map(|(_, weight)| *weight).collect();
+        let middle = weights.len() / 2;
+        let other = |n: usize| {
+            if n == middle {
+                weights[middle - 1]
+            } else if n.abs_diff(middle) == 1 {
+                weights[middle]
+            } else {
+                weights[n]
+            }
+        };
+        rule.iter().enumerate().map(|(n, (point, _))| (*point, other(n))).collect()
+    };
+    let across = points(state, &GAUSS_5, &exchanged(&GAUSS_3), |xi, eta| (xi, eta));
+    all.push(("weights 8/9 and 5/9 exchanged across the element".to_string(), across));
+    let along = points(state, &exchanged(&GAUSS_5), &GAUSS_3, |xi, eta| (xi, eta));
+    all.push(("weights of the middle point and of its neighbours exchanged along the element".to_string(), along));
     let half = |xi: f64| (1.0 + xi) / 2.0;
     let mut moved = |what: &str, by: &dyn Fn(f64, f64) -> (f64, f64)| {
         all.push((what.to_string(), points(state, &GAUSS_5, &GAUSS_3, by)));
@@ -187,9 +205,36 @@ fn other_integrands<'a>(quantity: &str, state: &'a ElementState) -> Vec<Candidat
             };
             vec![candidate(Heat, "½ σ : ε_f for ½ σ : ε: heat in one factor only", half)]
         }
+        "20.K" => sums().map(|(kind, what, sum)| candidate(kind, what, move || rows(&summed(state, sum)))).into(),
         "tangent.dQ_e" => tangents(state),
         _ => Vec::new(),
     }
+}
+
+/// Factors of K_1, K_2 and K_3 by λ and μ.
+type Sum = fn(f64, f64) -> [f64; 3];
+
+/// Sums of K_1, K_2 and K_3 with factors of (20) that are often confused.
+pub(super) fn sums() -> [(MistakeKind, &'static str, Sum); 5] {
+    [
+        (Other, "the factors of K_1 and K_2 exchanged", |lambda, mu| [lambda, lambda + 2.0 * mu, 4.0 * mu]),
+        (Other, "μ K_2 for λ K_2", |lambda, mu| [lambda + 2.0 * mu, mu, 4.0 * mu]),
+        (Other, "2μ K_2 for λ K_2", |lambda, mu| [lambda + 2.0 * mu, 2.0 * mu, 4.0 * mu]),
+        (Other, "4λ K_3 for 4μ K_3", |lambda, mu| [lambda + 2.0 * mu, lambda, 4.0 * lambda]),
+        (Other, "λ and μ exchanged", |lambda, mu| [mu + 2.0 * lambda, mu, 4.0 * lambda]),
+    ]
+}
+
+/// (20) with other factors.
+pub(super) fn summed(state: &ElementState, factors: Sum) -> Matrix14 {
+    let (e, eps_T) = (Vector14::from(state.e), state.eps_T());
+    let LameConstants { lambda, mu } = state.moduli().into();
+    let [one, two, three] = factors(lambda, mu);
+    let by = |s: &Integrand| {
+        let [a, b, c] = [0, 1, 2].map(|k| bracket(s, &eps_T, k));
+        [one * a + two * b, one * b + two * a, three * c]
+    };
+    K(&integrands(&e, &state.element(), &exact(state)), by)
 }
 
 /// Candidates with a wrong material part of the tangent.
@@ -209,10 +254,14 @@ fn tangents(state: &ElementState) -> Vec<Candidate<'_>> {
     let (mut ab, mut ba) = (right, right);
     (ab[0][1], ab[1][0]) = (2.0 * lambda, 0.0);
     (ba[0][1], ba[1][0]) = (0.0, 2.0 * lambda);
+    let (mut only_ab, mut only_ba) = (right, right);
+    (only_ab[1][0], only_ba[0][1]) = (0.0, 0.0);
     vec![
         candidate(Erratum, "E3 in the material part alone", move || value(S_1, [one, two, three])),
         candidate(Transpose, "2 a bᵀ for a bᵀ + b aᵀ, with a = S_a1 e and b = S_b1 e", move || value(S_1, ab)),
         candidate(Transpose, "2 b aᵀ for a bᵀ + b aᵀ, with a = S_a1 e and b = S_b1 e", move || value(S_1, ba)),
+        candidate(Missing, "a bᵀ for a bᵀ + b aᵀ, with a = S_a1 e and b = S_b1 e", move || value(S_1, only_ab)),
+        candidate(Missing, "b aᵀ for a bᵀ + b aᵀ, with a = S_a1 e and b = S_b1 e", move || value(S_1, only_ba)),
         candidate(Transpose, "2 S e for (S + Sᵀ) e in the material part", move || {
             value(|s, e| s.S.map(|S| 2.0 * S * e), right)
         }),

@@ -2,11 +2,11 @@
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use super::candidate::{Candidate, candidate, possible};
 use super::entries::rows;
-use super::mistake::MistakeKind::Poisson;
+use super::mistake::MistakeKind::{Factor, Missing, Other, Poisson, Sign};
 use ancf::equations::force;
 use ancf::equations::material::{self as law, LameConstants};
 use ancf::equations::shape::Vector14;
@@ -18,9 +18,9 @@ pub(super) const HEATED: [&str; 7] = ["18.U", "21.K_1", "21.K_2", "21.K_3", "20.
 /// Candidates with other moduli: for (17) itself all products of powers, for quantities that use it the known mistakes.
 pub(super) fn of<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     match quantity {
-        "17.lambda" => products(state, "λ"),
-        "17.mu" => products(state, "μ"),
-        "16.D" | "15.sigma" => laws(quantity, state),
+        "17.lambda" => [products(state, "λ"), ratios(state, |lame| lame.lambda)].into_iter().flatten().collect(),
+        "17.mu" => [products(state, "μ"), ratios(state, |lame| lame.mu)].into_iter().flatten().collect(),
+        "16.D" | "15.sigma" => [laws(quantity, state), matrices(quantity, state)].into_iter().flatten().collect(),
         _ if HEATED.contains(&quantity) => laws(quantity, state),
         _ => Vec::new(),
     }
@@ -68,6 +68,56 @@ fn products<'a>(state: &'a ElementState, symbol: &str) -> Vec<Candidate<'a>> {
     all
 }
 
+/// Candidates for (17) with another Poisson's ratio, alike for λ and μ.
+fn ratios(state: &ElementState, modulus: fn(LameConstants) -> f64) -> Vec<Candidate<'_>> {
+    let whatever = |ratio: &str| format!("ν = {ratio} whatever the state says");
+    let ratios = [
+        ("|ν| for ν".to_string(), state.nu.abs()),
+        ("−ν for ν".to_string(), -state.nu),
+        (whatever("0"), 0.0),
+        (whatever("0.25"), 0.25),
+        (whatever("0.3"), 0.3),
+        (whatever("0.33"), 0.33),
+        (whatever("1/3"), 1.0 / 3.0),
+    ];
+    let with = |(what, nu): (String, f64)| {
+        candidate(Poisson, what, move || vec![modulus(ElementState { nu, ..state.clone() }.moduli().into())])
+    };
+    ratios.map(with).into()
+}
+
+/// Candidates with other entries in D of (16).
+fn matrices<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
+    let LameConstants { lambda, mu } = state.moduli().into();
+    let D = |diagonal: f64, beside: f64, shear: f64| {
+        Matrix3::new(diagonal, beside, 0.0, beside, diagonal, 0.0, 0.0, 0.0, shear)
+    };
+    let (stiff, shear) = (lambda + 2.0 * mu, 2.0 * mu);
+    let others = [
+        (Factor, "λ + μ for λ + 2μ on the diagonal", D(lambda + mu, lambda, shear)),
+        (Missing, "2μ for λ + 2μ on the diagonal", D(2.0 * mu, lambda, shear)),
+        (Missing, "λ for λ + 2μ on the diagonal", D(lambda, lambda, shear)),
+        (Other, "E for λ + 2μ on the diagonal", D(state.E, lambda, shear)),
+        (Missing, "no λ beside the diagonal", D(stiff, 0.0, shear)),
+        (Sign, "−λ for λ beside the diagonal", D(stiff, -lambda, shear)),
+        (Other, "μ for λ beside the diagonal", D(stiff, mu, shear)),
+        (Other, "2μ for λ beside the diagonal", D(stiff, 2.0 * mu, shear)),
+        (Other, "λ + 2μ beside the diagonal, λ on it", D(lambda, stiff, shear)),
+        (Other, "E for 2μ in the shear", D(stiff, lambda, state.E)),
+    ];
+    let value = move |D: Matrix3<f64>| match quantity {
+        "16.D" => Some(rows(&D)),
+        _ => stresses(state, &D),
+    };
+    others.map(|(kind, what, D)| possible(kind, what, move || value(D))).into()
+}
+
+/// (15) with another law.
+fn stresses(state: &ElementState, D: &Matrix3<f64>) -> Option<Vec<f64>> {
+    let strains = evaluate("14.epsilon", state)?;
+    Some(strains.chunks_exact(3).flat_map(|eps| rows(&(D * Vector3::from_row_slice(eps)))).collect())
+}
+
 /// Candidates with moduli that are often confused with those of (17).
 fn laws<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     let ElementState { E, nu, .. } = *state;
@@ -89,12 +139,7 @@ fn laws<'a>(quantity: &'a str, state: &'a ElementState) -> Vec<Candidate<'a>> {
     ];
     let value = move |lame: LameConstants| match quantity {
         "16.D" => Some(rows(&law::D(lame))),
-        "15.sigma" => Some(
-            evaluate("14.epsilon", state)?
-                .chunks_exact(3)
-                .flat_map(|eps| rows(&(law::D(lame) * Vector3::from_row_slice(eps))))
-                .collect(),
-        ),
+        "15.sigma" => stresses(state, &law::D(lame)),
         _ => with_heat_and_law(quantity, state, &state.eps_T(), lame),
     };
     let with = |(what, lambda, mu)| possible(Poisson, what, move || value(LameConstants { lambda, mu }));

@@ -1,7 +1,7 @@
 //! Answers with permuted entries: nodal vectors, x and y, rows and columns.
 
 use super::candidate::{Candidate, candidate};
-use super::mistake::MistakeKind::{self, NodeOrder, Transpose, XyOrder};
+use super::mistake::MistakeKind::{self, Missing, NodeOrder, Other, Transpose, XyOrder};
 use crate::suite::Reference;
 
 /// Names of the seven nodal vectors of (4).
@@ -50,6 +50,23 @@ pub(super) fn coordinate_orders() -> Vec<(MistakeKind, String, [usize; 14])> {
     orders
 }
 
+/// Orders with two vectors exchanged, for the 14 coordinates.
+fn exchanges() -> Vec<(String, [usize; 14])> {
+    let mut all = Vec::new();
+    for (one, name) in VECTORS.iter().enumerate() {
+        for (other, other_name) in VECTORS.iter().enumerate().skip(one + 1) {
+            let vector = move |n: usize| match n {
+                n if n == one => other,
+                n if n == other => one,
+                n => n,
+            };
+            let order = std::array::from_fn(|n| 2 * vector(n / 2) + n % 2);
+            all.push((format!("{name} and {other_name} exchanged"), order));
+        }
+    }
+    all
+}
+
 /// Other orders of four vectors.
 pub(super) fn permutations() -> Vec<[usize; 4]> {
     let code = |n: usize| [n / 64, n / 16 % 4, n / 4 % 4, n % 4];
@@ -71,7 +88,8 @@ pub(super) fn of(reference: &Reference) -> Vec<Candidate<'_>> {
     {
         add(Transpose, "transposed".into(), Box::new(move |n| n % rows * rows + n / rows));
     }
-    for (kind, what, order) in coordinate_orders() {
+    let exchanges = exchanges().into_iter().map(|(what, order)| (NodeOrder, what, order));
+    for (kind, what, order) in coordinate_orders().into_iter().chain(exchanges) {
         let place: Box<dyn Fn(usize) -> usize> = match *shape {
             [14] => Box::new(move |n| order[n]),
             [14, 14] => Box::new(move |n| order[n / 14] * 14 + order[n % 14]),
@@ -101,6 +119,8 @@ pub(super) fn of(reference: &Reference) -> Vec<Candidate<'_>> {
     }
     if let [2] | [_, 2] = *shape {
         add(XyOrder, "x and y exchanged".into(), Box::new(|n| n ^ 1));
+        add(Other, "the first component twice".into(), Box::new(|n| n & !1));
+        add(Other, "the second component twice".into(), Box::new(|n| n | 1));
     }
     if let [3] = *shape {
         for (what, order) in [
@@ -113,5 +133,34 @@ pub(super) fn of(reference: &Reference) -> Vec<Candidate<'_>> {
             add(XyOrder, what.into(), Box::new(move |n| order[n]));
         }
     }
+    if let [2, 14] = *shape {
+        // The right entry (1, 2) is zero.
+        let place = |n: usize| match n {
+            0..14 => n,
+            _ if n.is_multiple_of(2) => n + 1,
+            _ => 1,
+        };
+        add(XyOrder, "the second row in the columns of x".into(), Box::new(place));
+    }
+    all.extend(triangles(reference));
     all
+}
+
+/// Candidates for a square matrix of which one triangle is filled.
+fn triangles(reference: &Reference) -> Vec<Candidate<'_>> {
+    let [rows, columns] = *reference.shape_at_a_point() else { return Vec::new() };
+    if rows != columns {
+        return Vec::new();
+    }
+    let filled = move |keep: fn(usize, usize) -> bool| {
+        let entry = |(n, value): (usize, &f64)| {
+            let n = n % (rows * columns);
+            if keep(n / columns, n % columns) { *value } else { 0.0 }
+        };
+        reference.numbers.iter().enumerate().map(entry).collect::<Vec<f64>>()
+    };
+    vec![
+        candidate(Missing, "only the upper triangle filled", move || filled(|row, column| row <= column)),
+        candidate(Missing, "only the lower triangle filled", move || filled(|row, column| row >= column)),
+    ]
 }

@@ -95,6 +95,7 @@ fn lengths_and_points() -> Vec<(MistakeKind, String, Change)> {
         change(Other, "x and y for x/l and y/l", points(|state, x, y| [x * state.l, y * state.l])),
         change(Other, "2x/l − 1 for x/l: from −1 to 1", points(|state, x, y| [2.0 * x - state.l, y])),
         change(Other, "x measured from the middle", points(|state, x, y| [x - state.l / 2.0, y])),
+        change(Other, "x + l/2 for x: x measured from the middle", points(|state, x, y| [x + state.l / 2.0, y])),
         change(Other, "x and y exchanged", points(|_, x, y| [y, x])),
         change(NodeOrder, "x measured from the other end", points(|state, x, y| [state.l - x, y])),
         change(Other, "the first point for all points", |state| {
@@ -102,5 +103,18 @@ fn lengths_and_points() -> Vec<(MistakeKind, String, Change)> {
             state.points.iter_mut().for_each(|point| *point = first.unwrap_or(*point));
         }),
         change(XyOrder, "x and y of gravity exchanged", |state| state.gravity.swap(0, 1)),
+        change(Other, "gravity turned by θ, as in the rod's own axes", |state| turn(&mut state.gravity, state.theta)),
+        change(Other, "gravity turned by −θ, as in the rod's own axes", |state| {
+            turn(&mut state.gravity, -state.theta)
+        }),
+        change(Other, "gravity of 9.81 for that of 9.8", |state| {
+            state.gravity = state.gravity.map(|g| if g.abs() == 9.8 { 9.81 * g.signum() } else { g });
+        }),
+        change(Other, "gravity (0, −9.81) whatever the state says", |state| state.gravity = [0.0, -9.81]),
     ]
+}
+
+fn turn([x, y]: &mut [f64; 2], angle: f64) {
+    let (sin, cos) = angle.sin_cos();
+    (*x, *y) = (cos * *x - sin * *y, sin * *x + cos * *y);
 }

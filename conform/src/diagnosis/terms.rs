@@ -3,10 +3,12 @@
 mod cable;
 mod force;
 mod motion;
+mod points;
 mod shape;
 mod strain;
 pub(super) mod term;
 
+pub(super) use self::shape::POLYNOMIALS;
 use self::term::{Term, term};
 use super::entries::entry_name;
 use super::layout::VECTORS;
@@ -20,6 +22,14 @@ pub(super) fn of(quantity: &str, case: &Case) -> Vec<Term> {
         }
         State::System(system) => motion::of_system(quantity, system),
         State::Cable(state) => cable::of(quantity, state),
+    }
+}
+
+/// Shares of the Gauss points in an integral.
+pub(super) fn of_points(quantity: &str, case: &Case) -> Vec<Term> {
+    match &case.state {
+        State::Element(state) => points::of(quantity, state),
+        _ => Vec::new(),
     }
 }
 
@@ -48,6 +58,16 @@ pub(super) fn parts(reference: &Reference) -> Vec<Term> {
     if shape.last() == Some(&2) || *shape == [14] {
         for (component, name) in ["x", "y"].into_iter().enumerate() {
             add(format!("the components along {name}"), &|n| n % 2 == component);
+        }
+    }
+    if let [n, columns] = *shape
+        && n == columns
+        && n >= 8
+    {
+        for (component, name) in ["x", "y"].into_iter().enumerate() {
+            add(format!("the entries between components along {name}"), &|entry| {
+                entry / n % 2 == component && entry % n % 2 == component
+            });
         }
     }
     if let [14, 14] = *shape {

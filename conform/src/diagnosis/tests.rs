@@ -14,8 +14,11 @@ use super::entries::rows;
 use super::mistake::{Mistake, MistakeKind};
 use super::observation::{Observation, Outcome};
 use super::quadrature;
+use super::wrong_values::Upstream;
 use crate::suite::{Case, Reference, State, Suite};
 use crate::verdict::Fault;
+
+mod kinds;
 
 static SUITE: LazyLock<Suite> = LazyLock::new(|| Suite::embedded().unwrap());
 
@@ -311,7 +314,7 @@ fn in_a_black_box(wrong: impl Fn(&ElementState, &Chain) -> Vec<(&'static str, Ve
     }
     let all_right = |quantity: &str| seen[quantity].iter().all(|o| o.outcome == Outcome::Right);
     assert!(!all_right("19.Q_e"));
-    ancestors("19.Q_e", &seen, |quantity| seen.contains_key(quantity) && all_right(quantity))
+    ancestors("19.Q_e", &seen, |quantity| seen.contains_key(quantity) && all_right(quantity), &mut Upstream::default())
 }
 
 #[test]

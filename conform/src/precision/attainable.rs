@@ -2,6 +2,7 @@
 
 use super::form::{Form, Printing};
 use super::perturbed::changes;
+use super::single::errors;
 use crate::suite::{Case, Reference, Tolerance};
 
 /// Rounding of single precision, relative to a number.
@@ -9,8 +10,10 @@ const SINGLE: f64 = f32::EPSILON as f64 / 2.0;
 /// Roundings of the terms that are allowed in single precision. Right programs have four at most, and few beyond one; the fixtures' 450
 /// would hide mistakes here.
 const ROUNDINGS: f64 = 32.0;
-/// Multiple of the change by rounded inputs that is allowed: the signs that are tried are not the worst ones.
+/// Number of roundings of each input: the signs that are tried are not the worst ones, and an energy grows with their square.
 const INPUTS: f64 = 4.0;
+/// Multiple of the error of the kit's own elimination that is allowed: others pivot and add up in another order.
+const SOLUTIONS: f64 = 8.0;
 /// Half a unit of the last digit, and a trifle for the rounding of the decimal itself.
 const HALF: f64 = 0.501;
 /// Size up to which terms count as zero.
@@ -62,10 +65,14 @@ pub fn of_form(form: Form, reference: &Reference) -> impl Iterator<Item = Parts>
 /// terms are zero.
 pub fn attainable(form: Form, quantity: &str, case: &Case) -> Option<(Tolerance, Option<(f64, &'static str)>)> {
     let reference = case.values.get(quantity)?;
-    let inputs = form.single.then(|| changes(quantity, case, SINGLE)).flatten();
+    let inputs = form.single.then(|| changes(quantity, case, INPUTS * SINGLE)).flatten();
+    let solution = form.single.then(|| errors(quantity, case)).flatten();
     let mut parts: Vec<Parts> = of_form(form, reference).collect();
     for (part, change) in parts.iter_mut().zip(inputs.into_iter().flatten()) {
-        part.inputs = INPUTS * change;
+        part.inputs = change;
+    }
+    for (part, error) in parts.iter_mut().zip(solution.into_iter().flatten()) {
+        part.roundings = part.roundings.max(SOLUTIONS * error);
     }
     // Where nothing is added up, there are no digits to lose.
     let entries = parts.iter().zip(reference.terms()).filter(|(_, terms)| *terms > NOTHING);

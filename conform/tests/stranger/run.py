@@ -31,6 +31,7 @@ BLACK_BOX_NAMES = {
 SETS = ("double", "float", "black-box", "conventions", "conventions-in", "precision", "memory", "given", "pairs",
         "talk")
 FLOAT_ROUNDING = 6e-8
+MARKERS = ("<!-- counts: run.py --table -->", "<!-- end of counts -->")
 
 
 # ---------------------------------------------------------------------------------------------- the program by itself
@@ -175,14 +176,22 @@ def verdict_of_box(report, mistake, asked_for):
     return right, not right and bool(accused or kinds_of(first)), said
 
 
-def table(title, rows, counted, total):
-    """Prints counts, then the rows that are not as they should be."""
-    print(f"\n## {title}\n")
-    for what, number in counted.items():
-        print(f"{what}: {number} of {total}" + (f" ({100 * number / total:.1f} %)" if total else ""))
-    for row in rows:
-        print("  " + "  ".join(str(cell) for cell in row))
-    sys.stdout.flush()
+def written(text, counted):
+    """The text with the table between its markers; rows of sets that were not run stay as they are."""
+    before, _, rest = text.partition(MARKERS[0])
+    old, mark, after = rest.partition(MARKERS[1])
+    if not mark:
+        sys.exit(f"the file has no lines {MARKERS[0]} and {MARKERS[1]}")
+    rows = {}
+    for line in old.splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if len(cells) == 4 and cells[2].isdigit():
+            rows[cells[0], cells[1]] = line
+    fresh = {title for title, *_ in counted}
+    rows = {key: line for key, line in rows.items() if key[0] not in fresh}
+    rows |= {(title, what): f"| {title} | {what} | {number} | {total} |" for title, what, number, total in counted}
+    lines = ["| set | count | programs | of |", "|---|---|---|---|", *sorted(rows.values())]
+    return before + MARKERS[0] + "\n" + "\n".join(lines) + "\n" + MARKERS[1] + after
 
 
 class Runner:
@@ -194,6 +203,17 @@ class Runner:
         self.pool = ThreadPoolExecutor(2)
         self.box = [name for key in only.split(",") for name in BLACK_BOX_NAMES.get(key, key).split()]
         self.results = {}
+        self.counts = []
+
+    def table(self, title, rows, counted, total):
+        """Prints counts, then the rows that are not as they should be."""
+        print(f"\n## {title}\n")
+        for what, number in counted.items():
+            self.counts.append((title, what, number, total))
+            print(f"{what}: {number} of {total}" + (f" ({100 * number / total:.1f} %)" if total else ""))
+        for row in rows:
+            print("  " + "  ".join(str(cell) for cell in row))
+        sys.stdout.flush()
 
     def reports(self, tasks):
         """Reports by task name, two at a time."""
@@ -228,7 +248,7 @@ class Runner:
                 if not (kind and alone):
                     fault = "accused" if kind else "kind" if equation else "equation" if detected else "not detected"
                     rows.append((fault, mistake.name, "| is", *mistake.quantities, *mistake.kinds, "| said", said))
-            table(f"{name}, {part}", sorted(rows), counts, len(mine))
+            self.table(f"{name}, {part}", sorted(rows), counts, len(mine))
         print("changes nothing that is visible:", *unseen or ["none"])
 
     def black_box(self):
@@ -247,7 +267,7 @@ class Runner:
                 self.results[f"black-box {mistake.name}"] = [right, wrong, said]
                 if not right:
                     rows.append(("accused" if wrong else "unnamed", mistake.name, *mistake.quantities, "| said", said))
-            table(f"black box {' '.join(self.box)}, {title}", sorted(rows), counts, len(mine))
+            self.table(f"black box ({', '.join(self.box)}), {title}", sorted(rows), counts, len(mine))
 
     def right_programs(self, title, tasks, key, words):
         """Programs that are right: they have to pass, and the report's key to say what they are."""
@@ -265,7 +285,7 @@ class Runner:
                 first = report.get(FIRST) or {}
                 rows.append((name, "passes" if passes else f"fails in {failing} quantities", "| exit", code,
                              "| first", first.get(QUANTITY), *kinds_of(first), "| named" if named else "| not named"))
-        table(title, rows, counts, len(tasks))
+        self.table(title, rows, counts, len(tasks))
 
     def conventions(self):
         """Other conventions in the answers."""
@@ -293,7 +313,7 @@ class Runner:
             if not known:
                 first = report.get(FIRST) or {}
                 rows.append((name, "| said", first.get(QUANTITY), *kinds_of(first)))
-        table("memory", rows, counts, len(reports))
+        self.table("memory", rows, counts, len(reports))
 
     def given(self):
         """Intermediate values that are announced and ignored, and announced and read."""
@@ -314,7 +334,7 @@ class Runner:
             self.results[f"given {name}"] = right
             if not right:
                 rows.append((name, "| accused", *culprits))
-        table("given: no culprit but the root", rows, counts, len(reports))
+        self.table("given: no culprit but the root", rows, counts, len(reports))
 
     def pairs(self):
         """Two mistakes at once: both roots have to be among the culprits."""
@@ -331,7 +351,7 @@ class Runner:
             if not (both and only):
                 said = [f"{culprit[QUANTITY]}({'/'.join(kinds_of(culprit))})" for culprit in culprits]
                 rows.append((" + ".join(pair), "| said", *said))
-        table("pairs", rows, counts, len(reports))
+        self.table("pairs", rows, counts, len(reports))
 
     def talk(self):
         """Bad formats."""
@@ -345,7 +365,7 @@ class Runner:
             if not right:
                 first = report.get(FIRST) or {}
                 rows.append((name, "| exit", code, "| first", first.get(QUANTITY), str(first.get("because"))[:90]))
-        table("talk", rows, counts, len(reports))
+        self.table("talk", rows, counts, len(reports))
 
 
 def check_names():
@@ -366,6 +386,7 @@ def main():
     parser.add_argument("--set", action="append", choices=SETS, help="sets to run; all if left out")
     parser.add_argument("--list", action="store_true", help="list the mistakes, each with the command of its program")
     parser.add_argument("--json", metavar="FILE", help="results, a line for each program")
+    parser.add_argument("--table", metavar="FILE", help="write the counts into a file with the table's markers")
     arguments = parser.parse_args()
     check_names()
     if arguments.list:
@@ -386,6 +407,9 @@ def main():
                 runner.mistakes(name, name == "float")
             else:
                 getattr(runner, name.replace("-", "_"))()
+        if arguments.table:
+            file = Path(arguments.table)
+            file.write_text(written(file.read_text(), runner.counts))
         if arguments.json:
             Path(arguments.json).write_text(json.dumps(runner.results, indent=1) + "\n")
 

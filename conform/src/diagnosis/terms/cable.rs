@@ -5,8 +5,9 @@
 use super::term::{Term, term};
 use crate::diagnosis::cable::Cable;
 use crate::diagnosis::entries::rows;
-use ancf::equations::cable::{self, S_i, S_i_x, S_i_xx, Vector8};
-use ancf::state::{CableState, ThermalModel};
+use ancf::equations::cable::{self, Matrix8, S_i, S_i_x, S_i_xx, Vector8};
+use ancf::equations::motion;
+use ancf::state::{CableState, ThermalModel, evaluate_cable};
 
 /// Functions S₁ … S₄: factor 1 or l, and the coefficients of aⁿ with a = x/l.
 const POLYNOMIALS: [(bool, [f64; 4]); 4] = [
@@ -47,6 +48,17 @@ pub(super) fn of(quantity: &str, state: &CableState) -> Vec<Term> {
                 _ => rows(&K),
             });
             vec![term("the part of the strain, EA,", axial), term("the part of the curvature, EI,", bending)]
+        }
+        "cable.eddot" => {
+            let of = |name: &str| evaluate_cable(name, state);
+            let (Some(M), Some(Q_e), Some(Q_w)) = (of("cable.M"), of("cable.Q_e"), of("cable.Q_w")) else {
+                return Vec::new();
+            };
+            let (M, zero) = (Matrix8::from_row_slice(&M), Vector8::zeros());
+            let (Q_e, Q_w) = (Vector8::from_row_slice(&Q_e), Vector8::from_row_slice(&Q_w));
+            let shares = [("the share of Q_e", Q_e, zero), ("the share of Q_w", zero, Q_w)];
+            let solved = |(name, Q_e, Q_w)| Some(term(name, rows(&motion::acceleration(&M, &Q_e, &Q_w)?)));
+            shares.into_iter().filter_map(solved).collect()
         }
         _ => Vec::new(),
     }

@@ -37,6 +37,14 @@ pub(super) fn of_system(quantity: &str, system: &SystemState) -> Vec<Term> {
         Some(if quantity == "23.lambda" { rows(&lambda) } else { rows(&acceleration) })
     };
     match quantity {
+        "23.constraint_force" => {
+            let share = |k: usize| rows(&(Phi_q.row(k).transpose() * lambda[k]));
+            let last = lambda.len().saturating_sub(1);
+            vec![
+                term("the share of the first constraint", share(0)),
+                term("the share of the last constraint", share(last)),
+            ]
+        }
         "23.residual" => vec![
             term("m q̈", rows(&(m * q_ddot))),
             term("k q", rows(kq)),

@@ -42,7 +42,7 @@ pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
 }
 
 /// S₁ … S₇: factor 1, y or l, and the coefficients of aⁿ with a = x/l.
-const POLYNOMIALS: [(char, [f64; 4]); 7] = [
+pub(in crate::diagnosis) const POLYNOMIALS: [(char, [f64; 4]); 7] = [
     ('1', [1.0, -5.0, 8.0, -4.0]),
     ('y', [1.0, -3.0, 2.0, 0.0]),
     ('1', [0.0, 4.0, -4.0, 0.0]),

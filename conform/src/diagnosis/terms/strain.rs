@@ -44,13 +44,23 @@ pub(super) fn of(quantity: &str, state: &ElementState) -> Vec<Term> {
             let heat: Vec<f64> = state.points.iter().flat_map(|_| eps_T.iter().copied()).collect();
             vec![foreign("ε_T", heat)]
         }
-        "14.epsilon" => at_points(state, &["ε_f", "−ε_T"], |x, y| vec![rows(&eps_f(x, y)), rows(&(-eps_T))]),
+        "14.epsilon" => {
+            let names =
+                ["ε_f", "−ε_T", "−ε_T of the component 11", "−ε_T of the component 22", "−ε_T of the component 12"];
+            at_points(state, &names, |x, y| {
+                let only = |k: usize| rows(&Vector3::from_fn(|n, _| if n == k { -eps_T[k] } else { 0.0 }));
+                [vec![rows(&eps_f(x, y)), rows(&(-eps_T))], (0..3).map(only).collect()].concat()
+            })
+        }
         "15.sigma" => {
             let D = law::D(state.moduli().into());
-            let names = ["the share of ε_1", "the share of ε_2", "the share of ε_3", "D ε_T"];
+            let names = ["the share of ε_1", "the share of ε_2", "the share of ε_3", "D ε_T", "D_12 ε_2", "D_21 ε_1"];
             let mut terms = at_points(state, &names, |x, y| {
                 let eps = eps_f(x, y) - eps_T;
-                (0..3).map(|n| rows(&(D.column(n) * eps[n]))).chain([rows(&(D * eps_T))]).collect()
+                (0..3)
+                    .map(|n| rows(&(D.column(n) * eps[n])))
+                    .chain([rows(&(D * eps_T)), vec![D[(0, 1)] * eps[1], 0.0, 0.0], vec![0.0, D[(1, 0)] * eps[0], 0.0]])
+                    .collect()
             });
             terms[3].belongs = false;
             terms
