@@ -5,7 +5,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use super::frames::{Frames, Path, distance};
-use super::mistakes::{FAMILIES, Family, Made, Output, mistakes};
+use super::mistake::{Family, Made, Output};
+use super::mistakes::families::FAMILIES;
+use super::mistakes::methods::right_methods;
+use super::mistakes::mistakes;
 use super::motion::{Method, frames};
 use super::reference::Reference;
 use super::rods::Rods;
@@ -21,8 +24,12 @@ const ALIKE: f64 = 3.0;
 const MOST_NAMED: usize = 6;
 /// Corrections of a fitted number.
 const CORRECTIONS: usize = 5;
-/// A motion farther off than this many distances of the reference is not followed to its end.
+/// Where a number is fitted, a motion farther off than this many distances of the reference is not followed to its end.
 const HOPELESS: f64 = 4.0;
+/// Distance at which motions are the same, m, and in parts of the program's own error.
+const SAME: (f64, f64) = (1e-8, 0.02);
+/// With steps below this, s, methods leave no error that hides a mistake.
+const SHORTEST_STEP: f64 = 5e-6;
 
 /// A mistake whose motion is the program's.
 #[derive(Clone, Debug)]
@@ -33,6 +40,17 @@ pub struct Fit {
     pub look_at: &'static str,
     /// Largest distance of its motion from the program's, m.
     pub distance: f64,
+}
+
+/// What is known before mistakes are matched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Search {
+    /// The program's step does not explain its motion.
+    Mistake,
+    /// It may, or may not.
+    Undecided,
+    /// It does: a mistake counts only where the same method with it moves exactly as the program.
+    SameMethod,
 }
 
 /// The program's motion, as mistakes are matched with it.
@@ -49,18 +67,36 @@ pub struct Observed<'a> {
     pub own_error: f64,
     /// Its step, s.
     pub step: Option<f64>,
+    /// What is known.
+    pub search: Search,
+}
+
+/// Whether rods, moved finely, stay within a distance of a motion.
+pub fn observed_near(motion: &Frames, rods: &Rods, near: f64) -> bool {
+    let moved = frames(rods, Method::Fine, &motion.t, |moved| is_far(motion, moved, near));
+    distance(&motion.position, &moved.position) <= near
+}
+
+/// Whether the last frame is farther than `near` from the same of `motion`.
+fn is_far(motion: &Frames, frames: &Frames, near: f64) -> bool {
+    let Some(last) = frames.t.len().checked_sub(1) else { return false };
+    motion.position.iter().any(|(point, path)| {
+        let pair = path.get(last).zip(frames.position.get(point).and_then(|path| path.get(last)));
+        pair.is_some_and(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]) > near)
+    })
 }
 
 impl Observed<'_> {
-    /// Positions of a mistake at the program's times; they end where they are too far away to matter.
-    fn positions(&self, made: &Made, right: &Setup) -> BTreeMap<String, Path> {
+    /// Positions of a mistake at the program's times; they end where they are farther than `far` from the program's.
+    fn positions(&self, made: &Made, right: &Setup, moved_by: Method, far: f64) -> BTreeMap<String, Path> {
         let times = &self.right.t;
         let moved = |setup: &Setup, method: Method, times: &[f64]| {
             let Some(rods) = Rods::new(setup) else { return BTreeMap::new() };
-            frames(&rods, method, times, |frames| self.is_hopeless(frames)).position
+            let hopeless = |frames: &Frames| self.motions.iter().all(|motion| is_far(motion, frames, far));
+            frames(&rods, method, times, hopeless).position
         };
         match made {
-            Made::Setup(setup) => moved(setup, Method::Fine, times),
+            Made::Setup(setup) => moved(setup, moved_by, times),
             Made::Method(method) => moved(right, *method, times),
             Made::Output(Output::Times(factor, shift)) => {
                 let times: Vec<f64> = times.iter().map(|t| (factor * t + shift).max(0.0)).collect();
@@ -89,27 +125,38 @@ impl Observed<'_> {
         }
     }
 
-    fn is_hopeless(&self, frames: &Frames) -> bool {
-        let Some(last) = frames.t.len().checked_sub(1) else { return false };
-        let far = |motion: &&Frames| {
-            motion.position.iter().any(|(point, path)| {
-                let pair = path.get(last).zip(frames.position.get(point).and_then(|path| path.get(last)));
-                pair.is_some_and(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1]) > HOPELESS * self.off)
-            })
-        };
-        self.motions.iter().all(far)
-    }
-
-    /// Distance of a mistake's motion from the program's.
+    /// Distance of a mistake's motion from the program's: moved finely, and by right methods with the program's step, which share its error.
     fn distance(&self, made: &Made, right: &Setup) -> f64 {
-        let positions = self.positions(made, right);
-        let of = |motion: &&Frames| distance(&motion.position, &positions);
-        self.motions.iter().map(of).fold(f64::INFINITY, f64::min)
+        let methods =
+            self.step.filter(|step| *step > SHORTEST_STEP && matches!(made, Made::Setup(_))).map(right_methods);
+        let by_step = methods.into_iter().flatten();
+        let fine = (self.search != Search::SameMethod || !matches!(made, Made::Setup(_))).then_some(Method::Fine);
+        let mut nearest = f64::INFINITY;
+        for method in fine.into_iter().chain(by_step) {
+            let positions = self.positions(made, right, method, self.limit());
+            let of = |motion: &&Frames| distance(&motion.position, &positions);
+            nearest = self.motions.iter().map(of).fold(nearest, f64::min);
+            if nearest < SAME.0 {
+                break;
+            }
+        }
+        nearest
     }
 
     /// Largest distance at which a mistake fits.
     fn limit(&self) -> f64 {
-        self.own_error.max(NEAR * self.off).min(0.5 * self.off)
+        match self.search {
+            Search::Mistake => self.own_error.max(NEAR * self.off).min(0.5 * self.off),
+            Search::Undecided => NEAR * self.off,
+            Search::SameMethod => SURE * self.off,
+        }
+    }
+
+    /// Distance up to which fits cannot be told from the nearest one.
+    fn alike(&self, nearest: f64) -> f64 {
+        let same = SAME.0.max(SAME.1 * self.own_error);
+        let error = if nearest < same { same } else { 0.5 * self.own_error };
+        (ALIKE * nearest).max(error).min(self.limit())
     }
 }
 
@@ -123,13 +170,12 @@ pub fn matching(observed: &Observed) -> Vec<Fit> {
         .map(|(mistake, distance)| Fit { what: mistake.what.clone(), look_at: mistake.look_at, distance })
         .collect();
     let best = |fits: &[Fit]| fits.iter().map(|fit| fit.distance).fold(f64::INFINITY, f64::min);
-    if best(&fits) > (SURE * observed.off).max(0.5 * observed.own_error.min(observed.off)) {
+    let found = best(&fits) <= (SURE * observed.off).max(0.5 * observed.own_error.min(observed.off));
+    if !found && observed.search != Search::SameMethod {
         let fitted = in_parallel(FAMILIES.len(), |n| fitted(observed, &FAMILIES[n], &right));
         fits.extend(fitted.into_iter().flatten());
     }
-    let nearest = best(&fits);
-    let near = observed.limit();
-    let alike = (ALIKE * nearest).max(0.5 * observed.own_error).min(near);
+    let alike = observed.alike(best(&fits));
     fits.retain(|fit| fit.distance <= alike);
     fits.sort_by(|a, b| a.distance.total_cmp(&b.distance));
     fits.truncate(MOST_NAMED);
@@ -138,7 +184,10 @@ pub fn matching(observed: &Observed) -> Vec<Fit> {
 
 /// The value of a family's number that moves most nearly as the program does.
 fn fitted(observed: &Observed, family: &Family, right: &Setup) -> Option<Fit> {
-    let positions = |value: f64| Some(observed.positions(&(family.make)(right, value)?, right));
+    let positions = |value: f64| {
+        let made = (family.make)(right, value, observed.step)?;
+        Some(observed.positions(&made, right, Method::Fine, HOPELESS * observed.off))
+    };
     let program = observed.motions.last()?;
     let differences = |positions: &BTreeMap<String, Path>| {
         let mut all = Vec::new();

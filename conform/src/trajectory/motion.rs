@@ -9,6 +9,8 @@ use super::rods::Rods;
 
 /// Longest step of a fine motion, s: the thickness vibration of the fixtures' rods has ω ≈ 3e4 rad/s.
 const FINE_STEP: f64 = 2.5e-5;
+/// The same where sudden heat excites that vibration.
+const FINE_STEP_OF_WAVES: f64 = 1e-5;
 /// Newton's iteration ends at corrections below this.
 const NEWTON_TOLERANCE: f64 = 1e-11;
 /// Most iterations of a step, the matrix made anew after each third one.
@@ -96,6 +98,7 @@ impl Motion<'_> {
     /// Goes from one time to another; `None` if it cannot.
     fn advance(&mut self, method: Method, from: f64, to: f64) -> Option<()> {
         let longest = match method {
+            Method::Fine if self.rods.is_suddenly_heated => FINE_STEP_OF_WAVES,
             Method::Fine => FINE_STEP,
             Method::Steps { step, .. } => step,
         };
