@@ -6,18 +6,21 @@
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
 // compare, judgement, advice, order, start, energies, comparison, expected, matching, mistakes, mistake, mass, outcome, run, sampling,
-// file, reference, motion, rods, constraint, body, rod, element, section_point, stiffness, setup, gauss, frames.
+// file, csv, json, column, written, reference, motion, rods, constraint, body, rod, element, section_point, stiffness, setup, gauss, frames.
 mod advice;
 mod body;
+mod column;
 mod compare;
 mod comparison;
 mod constraint;
+mod csv;
 mod element;
 mod energies;
 mod expected;
 mod file;
 mod frames;
 mod gauss;
+mod json;
 mod judgement;
 mod mass;
 mod matching;
@@ -35,6 +38,7 @@ mod section_point;
 mod setup;
 mod start;
 mod stiffness;
+mod written;
 
 pub use compare::{Request, compare};
 pub use frames::{Frames, Path};

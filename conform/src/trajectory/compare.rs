@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 
 use super::comparison::Comparison;
-use super::file::{self, Written};
+use super::file;
 use super::outcome::Outcome;
 use super::reference::{Reference, reference};
 use super::run::Run;
 use super::sampling::sample;
+use super::written::Written;
 use crate::error::{Error, Result};
 
 /// What to compare.

@@ -14,6 +14,8 @@ const UNEXPLAINED: f64 = 10.0;
 const LEAST_ORDER: f64 = 0.8;
 /// A right method that comes this near to the program's motion, in parts of the reference's distance, is the program's.
 const SAME_METHOD: f64 = 0.02;
+/// A program whose error is less than this part of every right method's has another method.
+const MUCH_BETTER: f64 = 0.3;
 
 impl Comparison<'_> {
     /// The report.
@@ -129,7 +131,9 @@ impl Comparison<'_> {
         let (run, off) = self.last();
         let search = match verdict {
             Verdict::Agrees => return Vec::new(),
-            Verdict::ShortenTheStep if self.reference.is_solid || self.is_a_right_method() => return Vec::new(),
+            Verdict::ShortenTheStep if self.reference.is_solid || self.is_right_or_by_another_method() => {
+                return Vec::new();
+            }
             Verdict::ShortenTheStep => Search::SameMethod,
             Verdict::Undecided => Search::Undecided,
             Verdict::Mistake => Search::Mistake,
@@ -156,10 +160,14 @@ impl Comparison<'_> {
         matching(&observed)
     }
 
-    /// Whether a right method with the program's step moves as it does.
-    fn is_a_right_method(&self) -> bool {
+    /// Whether a right method with the program's step moves as it does, or all of them have much larger errors: then it is by another.
+    fn is_right_or_by_another_method(&self) -> bool {
         let (run, off) = self.last();
-        let apart = |moved: &Frames| distance(&run.sampled.frames.position, &moved.position);
-        self.expected().is_some_and(|expected| expected.motions.iter().any(|moved| apart(moved) < SAME_METHOD * off))
+        let right = self.right(run);
+        let Some(expected) = self.expected() else { return true };
+        let errors = expected.motions.iter().map(|moved| distance(&right.position, &moved.position));
+        let apart = expected.motions.iter().map(|moved| distance(&run.sampled.frames.position, &moved.position));
+        off < MUCH_BETTER * errors.fold(f64::INFINITY, f64::min)
+            || apart.fold(f64::INFINITY, f64::min) < SAME_METHOD * off
     }
 }

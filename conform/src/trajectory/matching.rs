@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
 use super::frames::{Frames, Path, distance};
-use super::mistake::{Family, Made, Output};
+use super::mistake::{Family, Made, Mistake, Output};
 use super::mistakes::families::FAMILIES;
 use super::mistakes::methods::right_methods;
 use super::mistakes::mistakes;
@@ -28,6 +28,8 @@ const CORRECTIONS: usize = 5;
 const HOPELESS: f64 = 4.0;
 /// Distance at which motions are the same, m, and in parts of the program's own error.
 const SAME: (f64, f64) = (1e-8, 0.02);
+/// Error of fine motions where sudden heat excites waves, m.
+const ERROR_OF_WAVES: f64 = 3e-4;
 /// With steps below this, s, methods leave no error that hides a mistake.
 const SHORTEST_STEP: f64 = 5e-6;
 
@@ -125,22 +127,48 @@ impl Observed<'_> {
         }
     }
 
-    /// Distance of a mistake's motion from the program's: moved finely, and by right methods with the program's step, which share its error.
-    fn distance(&self, made: &Made, right: &Setup) -> f64 {
-        let methods =
-            self.step.filter(|step| *step > SHORTEST_STEP && matches!(made, Made::Setup(_))).map(right_methods);
-        let by_step = methods.into_iter().flatten();
-        let fine = (self.search != Search::SameMethod || !matches!(made, Made::Setup(_))).then_some(Method::Fine);
-        let mut nearest = f64::INFINITY;
-        for method in fine.into_iter().chain(by_step) {
-            let positions = self.positions(made, right, method, self.limit());
-            let of = |motion: &&Frames| distance(&motion.position, &positions);
-            nearest = self.motions.iter().map(of).fold(nearest, f64::min);
-            if nearest < SAME.0 {
-                break;
+    /// Distances of mistakes: moved by each right method with the program's step, which share its error, and then finely. What follows is left
+    /// out once a mistake is matched to the last digits.
+    fn distances(&self, mistakes: &[Mistake], right: &Setup) -> Vec<f64> {
+        let is_setup = |made: &Made| matches!(made, Made::Setup(_));
+        let mut nearest = in_parallel(mistakes.len(), |n| match &mistakes[n].made {
+            Made::Setup(_) => f64::INFINITY,
+            other => self.distance(other, right, Method::Fine, self.limit()),
+        });
+        let mut moved = |distance: &(dyn Fn(&Made) -> f64 + Sync)| {
+            if nearest.iter().all(|distance| *distance >= SAME.0) {
+                let found = in_parallel(mistakes.len(), |n| {
+                    if is_setup(&mistakes[n].made) { distance(&mistakes[n].made) } else { f64::INFINITY }
+                });
+                nearest.iter_mut().zip(found).for_each(|(nearest, found)| *nearest = nearest.min(found));
             }
+        };
+        for method in self.step.filter(|step| *step > SHORTEST_STEP).map(right_methods).into_iter().flatten() {
+            moved(&|made| self.distance(made, right, method, self.limit()));
+        }
+        if self.search != Search::SameMethod {
+            moved(&|made| self.distance_of_the_limit(made, right));
         }
         nearest
+    }
+
+    /// Distance of a mistake's motion from the program's, moved finely.
+    fn distance_of_the_limit(&self, made: &Made, right: &Setup) -> f64 {
+        let Made::Setup(setup) = made else { return f64::INFINITY };
+        if !setup.is_suddenly_heated() {
+            return self.distance(made, right, Method::Fine, self.limit());
+        }
+        let near = self.limit() + ERROR_OF_WAVES;
+        match self.distance(made, right, Method::Fine, near) {
+            distance if distance <= near => self.distance(made, right, Method::Finest, self.limit()),
+            distance => distance,
+        }
+    }
+
+    fn distance(&self, made: &Made, right: &Setup, method: Method, far: f64) -> f64 {
+        let positions = self.positions(made, right, method, far);
+        let of = |motion: &&Frames| distance(&motion.position, &positions);
+        self.motions.iter().map(of).fold(f64::INFINITY, f64::min)
     }
 
     /// Largest distance at which a mistake fits.
@@ -164,7 +192,7 @@ impl Observed<'_> {
 pub fn matching(observed: &Observed) -> Vec<Fit> {
     let right = Setup::of(observed.reference.scene.clone());
     let fixed = mistakes(&observed.reference.scene, observed.step);
-    let distances = in_parallel(fixed.len(), |n| observed.distance(&fixed[n].made, &right));
+    let distances = observed.distances(&fixed, &right);
     let fits = fixed.iter().zip(distances);
     let mut fits: Vec<Fit> = fits
         .map(|(mistake, distance)| Fit { what: mistake.what.clone(), look_at: mistake.look_at, distance })

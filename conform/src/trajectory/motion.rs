@@ -9,8 +9,8 @@ use super::rods::Rods;
 
 /// Longest step of a fine motion, s: the thickness vibration of the fixtures' rods has ω ≈ 3e4 rad/s.
 const FINE_STEP: f64 = 2.5e-5;
-/// The same where sudden heat excites that vibration.
-const FINE_STEP_OF_WAVES: f64 = 1e-5;
+/// Longest step of the finest motion, s, where sudden heat excites that vibration.
+const FINEST_STEP: f64 = 1e-5;
 /// Newton's iteration ends at corrections below this.
 const NEWTON_TOLERANCE: f64 = 1e-11;
 /// Most iterations of a step, the matrix made anew after each third one.
@@ -21,8 +21,10 @@ const FAR: f64 = 1e3;
 /// How a motion is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Method {
-    /// By steps so short that they leave no error that matters.
+    /// By steps so short that they leave no error that matters, except that of waves that sudden heat excites.
     Fine,
+    /// By steps that leave no error of such waves either.
+    Finest,
     /// By q₁ = q₀ + h v₀ + h² (c₀ a₀ + c₁ a₁), v₁ = v₀ + h (d₀ a₀ + d₁ a₁) with steps of at most `step`.
     Steps {
         /// Longest step h, s.
@@ -98,8 +100,8 @@ impl Motion<'_> {
     /// Goes from one time to another; `None` if it cannot.
     fn advance(&mut self, method: Method, from: f64, to: f64) -> Option<()> {
         let longest = match method {
-            Method::Fine if self.rods.is_suddenly_heated => FINE_STEP_OF_WAVES,
             Method::Fine => FINE_STEP,
+            Method::Finest => FINEST_STEP,
             Method::Steps { step, .. } => step,
         };
         let count = ((to - from) / longest * (1.0 - 1e-9)).ceil().max(1.0);
@@ -107,7 +109,7 @@ impl Motion<'_> {
         for n in 0..count as usize {
             let t = from + (n + 1) as f64 * h;
             match method {
-                Method::Fine => self.fine_step(t, h),
+                Method::Fine | Method::Finest => self.fine_step(t, h),
                 Method::Steps { c, d, .. } => self.step(t, h, c, d)?,
             }
             if n % 64 == 0 && !self.is_near() {

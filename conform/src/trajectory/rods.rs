@@ -38,8 +38,6 @@ pub struct Rods {
     springs: (Vec<usize>, f64),
     /// Time by which loads and heat lag, s.
     delay: f64,
-    /// Whether heat acts at once at t = 0.
-    pub is_suddenly_heated: bool,
 }
 
 #[derive(Debug)]
@@ -88,7 +86,6 @@ impl Rods {
             mass_damping: setup.mass_damping,
             springs: (Vec::new(), setup.support_springs.unwrap_or(0.0)),
             delay: setup.delay,
-            is_suddenly_heated: setup.is_suddenly_heated(),
             rods,
         };
         for (rod, model) in all.rods.iter().zip(&scene.rods) {

@@ -1,7 +1,7 @@
 //! A file of the program with its samples at the reference's times.
 
-use super::file::Written;
 use super::sampling::Sampled;
+use super::written::Written;
 
 /// Longest distance of samples that is taken for the step, s.
 const LONGEST_STEP: f64 = 5e-3;

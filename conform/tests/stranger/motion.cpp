@@ -145,6 +145,10 @@ struct Rod {
         const double whole = length() * static_cast<double>(elements);
         return {(to[0] - from[0]) / whole, (to[1] - from[1]) / whole};
     }
+    // r_y at a place.
+    size_t section_at(const string& place) const {
+        return vector_at(place) + (place == "middle" && elements % 2 == 1 ? 2 : 1);
+    }
     // The nodal vector of a place: its first point, its last, or its middle.
     size_t vector_at(const string& place) const {
         if (place == "first") return first;
@@ -167,6 +171,7 @@ struct Scene {
     vector<Rod> rods;
     vector<Row> rows;
     vector<Force> forces;
+    vector<size_t> springs; // coordinates held by springs in place of constraints
     vector<pair<string, size_t>> points; // with the nodal vector of each
     array<double, 2> gravity{};
     double end = 0, interval = 0;
@@ -203,6 +208,11 @@ static Scene read_scene(std::istream& input) {
                 r.model >> relaxed;
             r.relaxed = relaxed == 1;
             r.heat = read_history(line);
+            if (made("density")) r.rho *= 1.1;
+            if (made("material-of-first") && !scene.rods.empty()) {
+                const Rod& of = scene.rods.front();
+                r.E = of.E, r.nu = of.nu, r.rho = of.rho, r.alpha = of.alpha;
+            }
             if (made("mesh")) r.elements *= 2;
             r.first = scene.size() / 2;
             scene.rods.push_back(r);
@@ -213,11 +223,25 @@ static Scene read_scene(std::istream& input) {
                 if (made("pin-one-sided") && c == 1) continue;
                 scene.rows.push_back({{{2 * a + c, -1.0}, {2 * b + c, 1.0}}});
             }
+            if (made("welded")) {
+                // r_y of the second rod is that of the first, turned by the angle between them.
+                const auto [ax, ay] = scene.rods[rod].axis();
+                const auto [bx, by] = scene.rods[other].axis();
+                const double c = ax * bx + ay * by, s = ax * by - ay * bx;
+                const size_t p = 2 * scene.rods[rod].section_at(place), q = 2 * scene.rods[other].section_at(other_place);
+                scene.rows.push_back({{{q, 1.0}, {p, -c}, {p + 1, s}}});
+                scene.rows.push_back({{{q + 1, 1.0}, {p, -s}, {p + 1, -c}}});
+            }
         } else if (word == "fix") {
             string axis;
             line >> rod >> place >> axis;
             if (made("hinge-one-sided") && axis == "x") continue;
-            scene.rows.push_back({{{2 * scene.rods.at(rod).vector_at(place) + (axis == "y" ? 1u : 0u), 1.0}}});
+            const size_t held = 2 * scene.rods.at(rod).vector_at(place) + (axis == "y" ? 1u : 0u);
+            if (made("hinge-spring")) {
+                scene.springs.push_back(held);
+                continue;
+            }
+            scene.rows.push_back({{{held, 1.0}}});
             if (made("hinge-clamped") && axis == "x") {
                 const Rod& r = scene.rods.at(rod);
                 const size_t section = r.vector_at(place) + 1;
@@ -243,6 +267,7 @@ static Scene read_scene(std::istream& input) {
             scene.forces.push_back(force);
         } else if (word == "gravity") {
             line >> scene.gravity[0] >> scene.gravity[1];
+            if (made("gravity-9.81")) scene.gravity[1] = -9.81;
         } else if (word == "point") {
             line >> word >> rod >> place;
             scene.points.push_back({word, scene.rods.at(rod).vector_at(place)});
@@ -327,6 +352,7 @@ class Rods {
   public:
     Matrix mass, to_acceleration;
     Vector start, weight;
+    double late = 0; // time by which loads and heat lag behind
 
     explicit Rods(const Scene& s) : mass(s.size(), s.size()), start(s.size()), weight(s.size(), 0.0), scene(s) {
         for (const Rod& rod : scene.rods) {
@@ -348,8 +374,10 @@ class Rods {
         }
     }
 
-    Vector acceleration(double t, const Vector& q, const Vector& v) const {
+    Vector acceleration(double now, const Vector& q, const Vector& v) const {
+        const double t = std::max(now - late, 0.0);
         Vector force = weight;
+        for (size_t at : scene.springs) force[at] -= 2e4 * (q[at] - start[at]);
         for (const Force& f : scene.forces)
             for (size_t c = 0; c < 2; ++c) force[2 * f.vector + c] += f.value[c] * f.history.at(t);
         for (size_t n = 0; n < scene.rods.size(); ++n) stresses(n, t, q, &force);
@@ -389,7 +417,9 @@ class Rods {
     array<double, 2> heat(const Rod& rod, double t) const {
         double dT = rod.heat.entries.empty() ? 0 : rod.heat.at(t);
         if (made("heat-ramped")) dT *= std::min(t / 0.1, 1.0);
+        if (made("heat-quadratic")) dT *= std::pow(std::min(t / 0.2, 1.0), 2);
         if (made("heat-doubled")) dT *= 2;
+        if (made("heat-half-more")) dT *= 1.5;
         if (made("heat-minus")) dT = -dT;
         if (made("heat-lost")) dT = 0;
         if (made("heat-of-the-other")) dT = scene.rods.front().heat.at(t);
@@ -516,7 +546,6 @@ class Method {
         if (name == "generalized-alpha") return generalized_alpha(s);
         if (name == "euler-implicit") return newmark(s, 1.0, 1.0);
         if (name == "euler-half-implicit") return half_implicit(s);
-        if (name == "stale-force") return stale(s);
         throw std::runtime_error("no such method: " + name);
     }
 
@@ -531,7 +560,7 @@ class Method {
         add(s.v, h / 2, s.a);
         add(s.q, h, s.v);
         s.t += h;
-        s.a = rods.acceleration(made("load-late") ? s.t - h : s.t, s.q, s.v);
+        s.a = rods.acceleration(s.t, s.q, s.v);
         add(s.v, h / 2, s.a);
     }
 
@@ -541,16 +570,6 @@ class Method {
         add(s.q, h, s.v);
         s.t += h;
         s.a = rods.acceleration(s.t, s.q, s.v);
-    }
-
-    // Verlet's steps with the force of the step before.
-    void stale(State& s) {
-        const Vector old = s.a;
-        s.a = rods.acceleration(s.t, s.q, s.v);
-        add(s.q, h, s.v);
-        add(s.q, h * h / 2, old);
-        add(s.v, h, old);
-        s.t += h;
     }
 
     void runge_kutta(State& s) {
@@ -623,7 +642,8 @@ static void print(const Scene& scene, const Rods& rods, const State& s, const st
 
 static int run(const string& method, double step, const string& what) {
     const Scene scene = read_scene(std::cin);
-    const Rods rods(scene);
+    Rods rods(scene);
+    if (made("load-late")) rods.late = step;
     State s;
     s.q = rods.start, s.v = Vector(s.q.size(), 0.0);
     s.a = rods.acceleration(0, s.q, s.v);

@@ -99,6 +99,17 @@ MISTAKES = [
     Motion("flexible-2", "euler-half-implicit", (5e-5, 2.5e-5), wrong=True, named=("first-order method",)),
     Motion("1d-sudden-2", "euler-implicit", (1e-4, 5e-5), wrong=True, named=("first-order method",)),
     Motion("knee-2-1", "euler-implicit", (2.5e-4,), wrong=True, named=("first-order method",)),
-    Motion("flexible-2", "rk4", (5e-5,), ("rk4-last-weight",), ("first-order method",)),
+    Motion("flexible-2", "rk4", (5e-5,), ("rk4-last-weight",), ("times times 1.000",)),
     Motion("flexible-2", "verlet", (5e-5,), ("damped",), ("damping",)),
+    # Others.
+    Motion("flexible-2", "verlet", (5e-5,), ("hinge-spring",), ("fixed points give way",)),
+    Motion("knee-2-1", "newmark", (2.5e-4,), ("load-late",), ("loads and heat are those of the step before",)),
+    Motion("knee-2-1", "verlet", (2.5e-5,), ("welded",), ("rods at k are welded",)),
+    Motion("scissor-1-2", "newmark", (2.5e-4,), ("material-of-first",), ("all rods have the scene's material",)),
+    Motion("flexible-4", "rk4", (5e-5,), ("gravity-9.81",), ("g is 9.81",)),
+    Motion("flexible-2", "generalized-alpha", (1e-3, 5e-4), ("density",), ("ρ times 1.10", "ρ times 1.09")),
+    Motion("2d-sudden-2", "newmark", (1e-4,), ("heat-half-more",), ("the thermal strain times 1.5", "the thermal strain times 1.49")),
+    Motion("1d-sudden-2", "verlet", (5e-5,), ("heat-quadratic",), ("the heat grows over",)),
+    Motion("2d-relaxed-2", "newmark", (5e-4,), ("relaxed-for-sudden",), ("a sudden start in place of a relaxed one",)),
+    Motion("2d-sudden-2", "generalized-alpha", (1e-4, 5e-5), ("1d-for-2d",), ("1D heat in place of 2D",)),
 ]
