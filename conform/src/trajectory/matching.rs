@@ -30,6 +30,8 @@ const HOPELESS: f64 = 4.0;
 const SAME: (f64, f64) = (1e-8, 0.02);
 /// Error of fine motions where sudden heat excites waves, m.
 const ERROR_OF_WAVES: f64 = 3e-4;
+/// The program may differ from a fine motion by this many errors of right methods.
+const ERRORS_OF_A_METHOD: f64 = 2.0;
 /// With steps below this, s, methods leave no error that hides a mistake.
 const SHORTEST_STEP: f64 = 5e-6;
 
@@ -127,42 +129,61 @@ impl Observed<'_> {
         }
     }
 
-    /// Distances of mistakes: moved by each right method with the program's step, which share its error, and then finely. What follows is left
-    /// out once a mistake is matched to the last digits.
+    /// Distances of mistakes, the cheapest motions first: by Verlet's steps as long as the program's, which share its error if it does the
+    /// same; finely; by the trapezoidal rule with its step, if they come near. What follows is left out once a mistake is matched.
     fn distances(&self, mistakes: &[Mistake], right: &Setup) -> Vec<f64> {
-        let is_setup = |made: &Made| matches!(made, Made::Setup(_));
-        let mut nearest = in_parallel(mistakes.len(), |n| match &mistakes[n].made {
-            Made::Setup(_) => f64::INFINITY,
+        let of = |count: &(dyn Fn(&Made) -> f64 + Sync)| in_parallel(mistakes.len(), |n| count(&mistakes[n].made));
+        let by = |method: Option<Method>, made: &Made| match (made, method) {
+            (Made::Setup(_), Some(method)) => self.distance(made, right, method, self.limit()),
+            _ => f64::INFINITY,
+        };
+        let [verlet, trapezoidal] = match self.step.filter(|step| *step > SHORTEST_STEP).map(right_methods) {
+            Some(methods) => methods.map(Some),
+            None => [None; 2],
+        };
+        let mut nearest = of(&|made| match made {
+            Made::Setup(_) => by(verlet, made),
             other => self.distance(other, right, Method::Fine, self.limit()),
         });
-        let mut moved = |distance: &(dyn Fn(&Made) -> f64 + Sync)| {
-            if nearest.iter().all(|distance| *distance >= SAME.0) {
-                let found = in_parallel(mistakes.len(), |n| {
-                    if is_setup(&mistakes[n].made) { distance(&mistakes[n].made) } else { f64::INFINITY }
-                });
-                nearest.iter_mut().zip(found).for_each(|(nearest, found)| *nearest = nearest.min(found));
-            }
-        };
-        for method in self.step.filter(|step| *step > SHORTEST_STEP).map(right_methods).into_iter().flatten() {
-            moved(&|made| self.distance(made, right, method, self.limit()));
+        let is_within = |nearest: &[f64], near: f64| nearest.iter().any(|distance| *distance < near);
+        if is_within(&nearest, SAME.0) {
+            return nearest;
         }
-        if self.search != Search::SameMethod {
-            moved(&|made| self.distance_of_the_limit(made, right));
+        if self.search == Search::SameMethod {
+            let found = of(&|made| by(trapezoidal, made));
+            return nearest.into_iter().zip(found).map(|(one, other)| one.min(other)).collect();
         }
+        let fine = of(&|made| self.distance_of_the_limit(made, right));
+        nearest.iter_mut().zip(&fine).for_each(|(nearest, fine)| *nearest = nearest.min(*fine));
+        if !is_within(&nearest, self.found()) {
+            let near = self.limit() + ERRORS_OF_A_METHOD * self.own_error;
+            let found = in_parallel(mistakes.len(), |n| match fine[n] {
+                fine if fine <= near => by(trapezoidal, &mistakes[n].made),
+                _ => f64::INFINITY,
+            });
+            nearest.iter_mut().zip(found).for_each(|(nearest, found)| *nearest = nearest.min(found));
+        }
+        // Farther ones were followed only for the sake of the program's own error.
+        nearest.iter_mut().filter(|nearest| **nearest > self.limit()).for_each(|nearest| *nearest = f64::INFINITY);
         nearest
     }
 
     /// Distance of a mistake's motion from the program's, moved finely.
     fn distance_of_the_limit(&self, made: &Made, right: &Setup) -> f64 {
         let Made::Setup(setup) = made else { return f64::INFINITY };
+        let near = self.limit() + ERRORS_OF_A_METHOD * self.own_error;
         if !setup.is_suddenly_heated() {
-            return self.distance(made, right, Method::Fine, self.limit());
+            return self.distance(made, right, Method::Fine, near);
         }
-        let near = self.limit() + ERROR_OF_WAVES;
-        match self.distance(made, right, Method::Fine, near) {
-            distance if distance <= near => self.distance(made, right, Method::Finest, self.limit()),
+        match self.distance(made, right, Method::Fine, near + ERROR_OF_WAVES) {
+            distance if distance <= near + ERROR_OF_WAVES => self.distance(made, right, Method::Finest, near),
             distance => distance,
         }
+    }
+
+    /// A distance so small that nothing else is tried.
+    fn found(&self) -> f64 {
+        (SURE * self.off).max(0.5 * self.own_error.min(self.off))
     }
 
     fn distance(&self, made: &Made, right: &Setup, method: Method, far: f64) -> f64 {
@@ -198,8 +219,7 @@ pub fn matching(observed: &Observed) -> Vec<Fit> {
         .map(|(mistake, distance)| Fit { what: mistake.what.clone(), look_at: mistake.look_at, distance })
         .collect();
     let best = |fits: &[Fit]| fits.iter().map(|fit| fit.distance).fold(f64::INFINITY, f64::min);
-    let found = best(&fits) <= (SURE * observed.off).max(0.5 * observed.own_error.min(observed.off));
-    if !found && observed.search != Search::SameMethod {
+    if best(&fits) > observed.found() && observed.search != Search::SameMethod {
         let fitted = in_parallel(FAMILIES.len(), |n| fitted(observed, &FAMILIES[n], &right));
         fits.extend(fitted.into_iter().flatten());
     }

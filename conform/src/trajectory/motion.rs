@@ -13,7 +13,7 @@ const FINE_STEP: f64 = 2.5e-5;
 const FINEST_STEP: f64 = 1e-5;
 /// Newton's iteration ends at corrections below this.
 const NEWTON_TOLERANCE: f64 = 1e-11;
-/// Most iterations of a step, the matrix made anew after each third one.
+/// Most iterations of a step, the matrix made anew after each sixth one.
 const MOST_ITERATIONS: usize = 30;
 /// Coordinates beyond this are an explosion.
 const FAR: f64 = 1e3;
@@ -147,7 +147,7 @@ impl Motion<'_> {
             for iteration in 0.. {
                 let residual = &q + h * h * c[1] * &self.a - &self.q;
                 let fits = self.newton.as_ref().is_some_and(|(made_for, _)| (made_for / h - 1.0).abs() < 1e-6);
-                if !fits || iteration % 3 == 2 {
+                if !fits || iteration % 6 == 5 {
                     self.newton = Some((h, self.newton_matrix(t, h * h * c[1])?));
                 }
                 let (_, inverse) = self.newton.as_ref()?;

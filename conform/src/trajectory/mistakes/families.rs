@@ -15,6 +15,9 @@ fn setup(right: &Setup, change: impl Fn(&mut Setup)) -> Option<Made> {
     Some(Made::Setup(Box::new(setup)))
 }
 
+/// Implicit methods with shorter steps than this, s, are not tried: they take too long, and few take them.
+const SHORTEST_IMPLICIT_STEP: f64 = 9e-5;
+
 const FACTORS: &[f64] = &[0.25, 0.6, 0.95, 1.05, 1.6, 4.0];
 
 /// Mistakes with a number that is fitted.
@@ -92,7 +95,8 @@ pub const FAMILIES: &[Family] = &[
         make: |_, gamma, step| {
             let beta = 0.25 * (gamma + 0.5).powi(2);
             let (c, d) = ([0.5 - beta, beta], [1.0 - gamma, gamma]);
-            step.filter(|_| gamma > 0.5 && gamma < 1.5).map(|step| Made::Method(Method::Steps { step, c, d }))
+            step.filter(|step| *step > SHORTEST_IMPLICIT_STEP && gamma > 0.5 && gamma < 1.5)
+                .map(|step| Made::Method(Method::Steps { step, c, d }))
         },
     },
     Family {
