@@ -5,18 +5,40 @@
 //! matched with mistakes made on purpose, each moved by a second program within this module.
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// compare, outcome, matching, mistakes, sampling, file, reference, motion, rods, setup, frames.
+// compare, judgement, advice, order, start, energies, comparison, expected, matching, mistakes, mistake, mass, outcome, run, sampling,
+// file, csv, json, column, written, reference, motion, rods, constraint, body, rod, element, section_point, stiffness, setup, gauss, frames.
+mod advice;
+mod body;
+mod column;
 mod compare;
+mod comparison;
+mod constraint;
+mod csv;
+mod element;
+mod energies;
+mod expected;
 mod file;
 mod frames;
+mod gauss;
+mod json;
+mod judgement;
+mod mass;
 mod matching;
+mod mistake;
 mod mistakes;
 mod motion;
+mod order;
 mod outcome;
 mod reference;
+mod rod;
 mod rods;
+mod run;
 mod sampling;
+mod section_point;
 mod setup;
+mod start;
+mod stiffness;
+mod written;
 
 pub use compare::{Request, compare};
 pub use frames::{Frames, Path};

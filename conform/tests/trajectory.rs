@@ -11,7 +11,7 @@ use ancf::equations::element::Element;
 use ancf::equations::material::{LameConstants, YoungPoisson};
 use ancf::equations::shape::Vector14;
 use ancf::equations::{force, inertia, strain};
-use ancf::model::{Direction, Method, Probe, Quantity, Scene};
+use ancf::model::{Direction, Method, Probe, Quantity, Scene, Start, ThermalModel};
 use ancf::run::run;
 use ancf_conform::Error;
 use ancf_conform::trajectory::{Outcome, Request, Verdict, compare, reference};
@@ -58,9 +58,18 @@ fn assert_named(outcome: &Outcome, words: &str) {
 
 #[test]
 fn right_programs_are_not_called_wrong() {
-    for (id, method, steps) in [
-        ("flexible-2", Method::GeneralizedAlpha, &[1e-3, 5e-4][..]),
+    demand_that_they_pass(&[
         ("flexible-2", Method::EnergyMomentum, &[1e-3]),
+        ("2d-sudden-2", Method::EnergyMomentum, &[1e-3]),
+        ("knee-2-1", Method::EnergyMomentum, &[1e-3]),
+    ]);
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "a minute; in release mode")]
+fn right_programs_by_several_methods_are_not_called_wrong() {
+    demand_that_they_pass(&[
+        ("flexible-2", Method::GeneralizedAlpha, &[1e-3, 5e-4][..]),
         ("flexible-4", Method::Explicit, &[2e-5]),
         ("2d-sudden-2", Method::EnergyMomentum, &[5e-4]),
         ("2d-sudden-2", Method::Explicit, &[4e-5, 2e-5]),
@@ -68,7 +77,11 @@ fn right_programs_are_not_called_wrong() {
         ("flexible-eb-2", Method::Gauss, &[5e-4]),
         ("knee-2-1", Method::GeneralizedAlpha, &[5e-4, 2.5e-4]),
         ("scissor-1-2", Method::EnergyMomentum, &[2e-4]),
-    ] {
+    ]);
+}
+
+fn demand_that_they_pass(runs: &[(&str, Method, &[f64])]) {
+    for (id, method, steps) in runs.iter().copied() {
         let scenes: Vec<Scene> = steps.iter().map(|step| scene(id, method, *step)).collect();
         let outcome = compared(id, &scenes);
         assert!(outcome.passes(), "{id}, {method}, {steps:?}: {}", outcome.markdown());
@@ -79,7 +92,7 @@ fn right_programs_are_not_called_wrong() {
 #[cfg_attr(debug_assertions, ignore = "a minute; in release mode")]
 fn mistakes_of_a_scene_are_named() {
     type Change = fn(&mut Scene);
-    let cases: [(&str, Method, f64, Change, &str); 6] = [
+    let cases: [(&str, Method, f64, Change, &str); 14] = [
         (
             "flexible-2",
             Method::GeneralizedAlpha,
@@ -92,12 +105,41 @@ fn mistakes_of_a_scene_are_named() {
         ("flexible-2", Method::Explicit, 4e-5, |s| s.gravity[1] = 9.8, "upwards"),
         ("flexible-2", Method::Explicit, 4e-5, |s| s.material.youngs_modulus = 2.1e8, "E times 1.05"),
         ("flexible-2", Method::Explicit, 2e-5, |s| s.rods[0].elements = 4, "4 elements"),
+        ("2d-sudden-2", Method::Explicit, 4e-5, |s| heat(s).model = ThermalModel::OneD, "1D heat in place of 2D"),
+        ("2d-sudden-2", Method::EnergyMomentum, 1e-4, |s| heat(s).model = ThermalModel::OneD, "1D heat in place of 2D"),
+        ("2d-sudden-2", Method::Explicit, 4e-5, |s| heat(s).start = Start::Relaxed, "relaxed start"),
+        ("2d-sudden-2", Method::Explicit, 4e-5, |s| heat(s).history = vec![[0.0, 400.0]], "doubled"),
+        ("2d-sudden-2", Method::Explicit, 4e-5, |s| s.material.nu = 0.3, "ν is 0.3"),
+        (
+            "2d-sudden-2",
+            Method::GeneralizedAlpha,
+            1e-4,
+            |s| heat(s).history = vec![[0.0, 0.0], [0.13, 200.0]],
+            "grows over 0.1",
+        ),
+        ("knee-2-1", Method::GeneralizedAlpha, 1e-4, |s| s.supports[0].clamp = None, "hinged in place of clamped"),
+        ("scissor-1-2", Method::Explicit, 2e-5, |s| s.forces[0].history = None, "does not follow its history"),
     ];
     for (id, method, step, change, words) in cases {
         let mut scene = scene(id, method, step);
         change(&mut scene);
         assert_named(&compared(id, &[scene]), words);
     }
+}
+
+fn heat(scene: &mut Scene) -> &mut ancf::model::Temperature {
+    scene.temperature.as_mut().unwrap()
+}
+
+/// The strain energy at t = 0 is that of the heat: what a long step hides in the positions, it shows.
+#[test]
+fn heat_is_named_by_the_strain_energy_at_the_start() {
+    let mut scene = scene("2d-sudden-2", Method::EnergyMomentum, 1e-3);
+    heat(&mut scene).model = ThermalModel::OneD;
+    let outcome = compared("2d-sudden-2", &[scene]);
+    assert_named(&outcome, "at t = 0: 1D heat in place of 2D");
+    let energy = outcome.start.iter().find(|start| start.what == "strain energy").unwrap();
+    assert!(!energy.right && energy.detail.contains("0.5000 of it"), "{}", energy.detail);
 }
 
 /// The hinged rod of two elements by Runge–Kutta steps; `once` replaces the blocks of M at the shared node instead of adding.
@@ -169,6 +211,7 @@ fn compared_text(text: &str, id: &str) -> Result<Outcome, Error> {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "some seconds; in release mode")]
 fn runge_kutta_steps_agree_and_their_mistakes_are_named() {
     let right = compared_text(&runge_kutta(false, 0.0, 5e-5), "flexible-2").unwrap();
     assert_eq!(right.verdict, Verdict::Agrees, "{}", right.markdown());
@@ -177,6 +220,7 @@ fn runge_kutta_steps_agree_and_their_mistakes_are_named() {
 }
 
 #[test]
+#[cfg_attr(debug_assertions, ignore = "some seconds; in release mode")]
 fn a_first_order_method_is_told_from_a_long_step() {
     let mut damped = [1e-3, 5e-4].map(|step| scene("flexible-2", Method::GeneralizedAlpha, step));
     let outcome = compared("flexible-2", &damped);

@@ -64,11 +64,14 @@ COARSE = Level(50, 2, 400)
 COARSE_SAMPLES = 100
 COARSE_STRIDE = 5  # intervals between stored samples: 0.05 s
 
-# Tolerance of a check of the coarse curve: factor on the observed rounding, for another machine; and rounding of storage (m).
+# Tolerance of a check of the coarse curve: factor on the observed rounding, for another machine; and rounding of storage (m, J).
 ROUNDING_FACTOR, STORED = 30, 1e-9
 
+ENERGIES = ("kinetic", "strain", "potential")
+ENERGY_SAMPLES = 50  # after t = 0: until 0.5 s, as the energies of the beams in pendulum.json
+
 CONVENTIONS = {
-    "units": "SI: m, s, kg, K",
+    "units": "SI: m, s, kg, K, J",
     "axes": "x along the rod at first, y upwards; gravity is (0, -g)",
     "rod": "plane solid 0 <= x <= L, |y| <= h/2 of breadth w; `along` x `across` quadrilaterals of 9 nodes, "
            "3 x 3 Gauss points, diagonal mass by Simpson's rule",
@@ -83,15 +86,26 @@ CONVENTIONS = {
                    "counted. mesh: of fine from half across, plus of half across from half across, double along. "
                    "step: of half across from half across, double step. total: their sum. No order is assumed. It is "
                    "the uncertainty of the solution of the solid's equations, not of the model",
-    "coarse": "for a quick check: tip at its own interval; error: largest distance from the fine curve, plus that "
+    "energy": "kinetic; strain, as the integral of E (E_GL - E_T):(E_GL - E_T) / 2; potential, zero at the hinge's height; "
+              "every `interval` from t = 0 until 0.5 s, J, at level fine. energy_uncertainty: that of each for the windows until "
+              "then, found as `total` is for the tip. Wave fronts of sudden models are not resolved: their energies are the least certain",
+    "coarse": "for a quick check: tip and energy at its own interval; error: largest distance from the fine curve, plus that "
               "curve's total, for each window that it reaches; rounding: largest distance from the same run in other "
-              "units (lengths times 3, E times 9), which moves alike and rounds differently",
+              "units (lengths times 3, E times 9), which moves alike and rounds differently; energy_error and "
+              "energy_rounding are the same of each energy",
     "edits": "never by hand: the command under generator writes this file, and with --check repeats its coarse level",
 }
 
 
-def tips(level, samples=SAMPLES, scale=1.0):
-    """The tip, (model, sample, component), computed with all lengths multiplied by `scale`."""
+class Observed(NamedTuple):
+    """The tip, (model, sample, component), and its energies, (model, sample, energy)."""
+
+    tip: np.ndarray
+    energy: np.ndarray
+
+
+def observed(level, samples=SAMPLES, scale=1.0):
+    """Tip and energies until ENERGY_SAMPLES, computed with all lengths multiplied by `scale`."""
     start = time.perf_counter()
     L, h, w, rho, E, g = (TABLE_1[name] for name in Rod._fields)
     stretches = [[1 + 2 * heated * TABLE_1["alpha"] * TABLE_1["dT"] for heated in HEATED_DIRECTIONS[model]]
@@ -103,7 +117,9 @@ def tips(level, samples=SAMPLES, scale=1.0):
     step = INTERVAL / level.splits
     assert step < 0.9 * solid.stable_step()
     states = motion(solid, solid.straight(*np.transpose(starts)), step, level.splits, samples)
-    curves = np.array([r[:, solid.tip] for r, _ in states]).transpose(2, 0, 1) / scale
+    tip, energy = zip(*((r[:, solid.tip], solid.energies(r, v)) for r, v in states))
+    # Energies are density times squared velocity times area.
+    curves = Observed(np.array(tip).transpose(2, 0, 1) / scale, np.array(energy[:ENERGY_SAMPLES + 1]).transpose(2, 0, 1) / scale**4)
     seconds = time.perf_counter() - start
     print(f"solved   {seconds:6.1f} s  solid of {level.along} x {level.across}, step {step:g} s", flush=True)
     return curves
@@ -146,20 +162,32 @@ def head():
     }
 
 
+def by_energy(values):
+    """A table by energy of arrays whose last index is the energy."""
+    return dict(zip(ENERGIES, np.transpose(values)))
+
+
+def energies(curve, stride=1):
+    """Energies of one model as stored."""
+    return {name: values.tolist() for name, values in by_energy(curve[::stride].round(9)).items()}
+
+
 def coarse(curves):
     """The coarse level as stored."""
     return COARSE.described() | {
         "interval": COARSE_STRIDE * INTERVAL,
-        "tip": dict(zip(MODELS, curves[:, ::COARSE_STRIDE].round(9).tolist())),
+        "tip": dict(zip(MODELS, curves.tip[:, ::COARSE_STRIDE].round(9).tolist())),
+        "energy": {name: energies(curve, COARSE_STRIDE) for name, curve in zip(MODELS, curves.energy)},
     }
 
 
 def runs():
     """The fine curves with their uncertainties."""
-    curves = {name: tips(level) for name, level in LEVELS.items()}
-    fine, thin = curves["fine"], curves["half across"]
-    across, along, doubled = (distance(thin, other) for other in (
-        fine, curves["half across, double along"], curves["half across, double step"]))
+    levels = {name: observed(level) for name, level in LEVELS.items()}
+    fine, thin = levels["fine"], levels["half across"]
+    others = (fine, levels["half across, double along"], levels["half across, double step"])
+    across, along, doubled = (distance(thin.tip, other.tip) for other in others)
+    apart = sum(abs(thin.energy - other.energy) for other in others)
     entries = []
     for k, (name, (model, start)) in enumerate(MODELS.items()):
         mesh = np.add(windowed(across[k]), windowed(along[k]))
@@ -167,7 +195,9 @@ def runs():
         entries.append({
             "id": name, "model": model, "start": start,
             "uncertainty": {"mesh": upwards(mesh), "step": upwards(step), "total": upwards(mesh + step)},
-            "tip": fine[k].round(9).tolist(),
+            "tip": fine.tip[k].round(9).tolist(),
+            "energy": energies(fine.energy[k]),
+            "energy_uncertainty": {name: upwards(windowed(off)) for name, off in by_energy(apart[k]).items()},
         })
     return entries
 
@@ -175,20 +205,53 @@ def runs():
 def generate():
     """The fixture."""
     sanity.demand()
-    curves, again = (tips(COARSE, COARSE_SAMPLES, scale) for scale in (1.0, 3.0))
+    curves, again = (observed(COARSE, COARSE_SAMPLES, scale) for scale in (1.0, 3.0))
     entries = runs()
-    error, rounding = {}, {}
-    for entry, curve, other in zip(entries, curves, again):
-        off = windowed(distance(curve, np.array(entry["tip"])[:len(curve)])[::COARSE_STRIDE], COARSE_STRIDE)
-        error[entry["id"]] = upwards(np.add(off, entry["uncertainty"]["total"][:len(off)]))
-        rounding[entry["id"]] = upwards(windowed(distance(curve, other)))
-    return head() | {"runs": entries, "coarse": coarse(curves) | {"error": error, "rounding": rounding}}
+    error, rounding, energy_error, energy_rounding = {}, {}, {}, {}
+    for k, entry in enumerate(entries):
+        name = entry["id"]
+        off = distance(curves.tip[k], np.array(entry["tip"])[:len(curves.tip[k])])
+        off = windowed(off[::COARSE_STRIDE], COARSE_STRIDE)
+        error[name] = upwards(np.add(off, entry["uncertainty"]["total"][:len(off)]))
+        rounding[name] = upwards(windowed(distance(curves.tip[k], again.tip[k])))
+        fine = np.transpose([entry["energy"][energy] for energy in ENERGIES])
+        off = by_energy(abs(curves.energy[k] - fine)[::COARSE_STRIDE])
+        energy_error[name] = {
+            energy: upwards(np.add(windowed(values, COARSE_STRIDE), entry["energy_uncertainty"][energy]))
+            for energy, values in off.items()}
+        apart = by_energy(abs(curves.energy[k] - again.energy[k]))
+        energy_rounding[name] = {energy: upwards(windowed(values)) for energy, values in apart.items()}
+    bounds = {"error": error, "rounding": rounding, "energy_error": energy_error, "energy_rounding": energy_rounding}
+    return head() | {"runs": entries, "coarse": coarse(curves) | bounds}
 
 
 def check():
     """The part of the fixture that `--check` derives: everything that does not need the fine curves."""
     sanity.demand()
-    return head() | {"coarse": coarse(tips(COARSE, COARSE_SAMPLES))}
+    return head() | {"coarse": coarse(observed(COARSE, COARSE_SAMPLES))}
+
+
+def keep(stored, fresh):
+    """The fresh document with the stored tips and their uncertainties wherever rounding explains the difference."""
+    if [run["id"] for run in stored["runs"]] != list(MODELS):
+        return fresh
+    allowed = allowances(fresh["coarse"]["rounding"])
+    runs = []
+    for old, new in zip(stored["runs"], fresh["runs"]):
+        tip = fixture.settled(new["tip"], old["tip"], allowed[new["id"]])
+        same = tip == old["tip"]
+        runs.append(new | {"tip": tip} | ({"uncertainty": old["uncertainty"]} if same else {}))
+    quick, old = fresh["coarse"], stored["coarse"]
+    tips = fixture.settled(quick["tip"], old["tip"], allowed)
+    bounds = {name: old[name] for name in ("error", "rounding")} if tips == old["tip"] else {}
+    return fresh | {"runs": runs, "coarse": quick | {"tip": tips} | bounds}
+
+
+def allowances(rounding):
+    """What two machines may differ by, from the observed rounding by model (and energy)."""
+    if isinstance(rounding, dict):
+        return {name: allowances(windows) for name, windows in rounding.items()}
+    return ROUNDING_FACTOR * max(rounding) + STORED
 
 
 def differences(stored, fresh):
@@ -202,19 +265,24 @@ def differences(stored, fresh):
     if not {"runs", "coarse"} <= stored.keys() or [run["id"] for run in stored["runs"]] != list(MODELS):
         return [f"runs, coarse: must be there, runs for {', '.join(MODELS)}"]
     runs, quick = stored["runs"], stored["coarse"]
-    allowed = {name: ROUNDING_FACTOR * max(rounding) + STORED for name, rounding in quick["rounding"].items()}
-    same = {key: value for key, value in quick.items() if key not in ("error", "rounding")}
-    same["tip"] = fixture.settled(same["tip"], fresh["coarse"]["tip"], allowed)
+    bounds = ("error", "rounding", "energy_error", "energy_rounding")
+    same = {key: value for key, value in quick.items() if key not in bounds}
+    for key, rounding in (("tip", "rounding"), ("energy", "energy_rounding")):
+        same[key] = fixture.settled(same[key], fresh["coarse"][key], allowances(quick[rounding]))
     rest = {key: value for key, value in stored.items() if key != "runs"} | {"coarse": same}
     faults = fixture.differences(rest, fresh)
     return faults + [fault for run in runs for fault in too_far(run, quick, fresh["coarse"])]
 
 
 def too_far(run, stored, fresh):
-    """Windows in which the coarse curve, as derived now, is farther from the fine curve than stated."""
+    """Windows in which the coarse curves, as derived now, are farther from the fine ones than stated."""
     name = run["id"]
     tip = np.array(fresh["tip"][name])
     fine = np.array(run["tip"])[::COARSE_STRIDE][:len(tip)]
-    found = windowed(distance(tip, fine), COARSE_STRIDE)
-    return [f".runs[{name}]: {off:.1e} m from the coarse curve before {end} s, whose stated error is {error} m"
-            for off, error, (_, end) in zip(found, stored["error"][name], WINDOWS) if off > error]
+    compared = [("m", windowed(distance(tip, fine), COARSE_STRIDE), stored["error"][name])]
+    for energy, values in fresh["energy"][name].items():
+        fine = np.array(run["energy"][energy])[::COARSE_STRIDE][:len(values)]
+        found = windowed(abs(np.array(values) - fine), COARSE_STRIDE)
+        compared.append((f"J ({energy})", found, stored["energy_error"][name][energy]))
+    return [f".runs[{name}]: {off:.1e} {unit} from the coarse curve before {end} s, whose stated error is {error}"
+            for unit, found, errors in compared for off, error, (_, end) in zip(found, errors, WINDOWS) if off > error]

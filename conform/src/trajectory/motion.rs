@@ -9,9 +9,11 @@ use super::rods::Rods;
 
 /// Longest step of a fine motion, s: the thickness vibration of the fixtures' rods has ω ≈ 3e4 rad/s.
 const FINE_STEP: f64 = 2.5e-5;
+/// Longest step of the finest motion, s, where sudden heat excites that vibration.
+const FINEST_STEP: f64 = 1e-5;
 /// Newton's iteration ends at corrections below this.
 const NEWTON_TOLERANCE: f64 = 1e-11;
-/// Most iterations of a step, the matrix made anew after each third one.
+/// Most iterations of a step, the matrix made anew after each sixth one.
 const MOST_ITERATIONS: usize = 30;
 /// Coordinates beyond this are an explosion.
 const FAR: f64 = 1e3;
@@ -19,8 +21,10 @@ const FAR: f64 = 1e3;
 /// How a motion is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Method {
-    /// By steps so short that they leave no error that matters.
+    /// By steps so short that they leave no error that matters, except that of waves that sudden heat excites.
     Fine,
+    /// By steps that leave no error of such waves either.
+    Finest,
     /// By q₁ = q₀ + h v₀ + h² (c₀ a₀ + c₁ a₁), v₁ = v₀ + h (d₀ a₀ + d₁ a₁) with steps of at most `step`.
     Steps {
         /// Longest step h, s.
@@ -97,6 +101,7 @@ impl Motion<'_> {
     fn advance(&mut self, method: Method, from: f64, to: f64) -> Option<()> {
         let longest = match method {
             Method::Fine => FINE_STEP,
+            Method::Finest => FINEST_STEP,
             Method::Steps { step, .. } => step,
         };
         let count = ((to - from) / longest * (1.0 - 1e-9)).ceil().max(1.0);
@@ -104,7 +109,7 @@ impl Motion<'_> {
         for n in 0..count as usize {
             let t = from + (n + 1) as f64 * h;
             match method {
-                Method::Fine => self.fine_step(t, h),
+                Method::Fine | Method::Finest => self.fine_step(t, h),
                 Method::Steps { c, d, .. } => self.step(t, h, c, d)?,
             }
             if n % 64 == 0 && !self.is_near() {
@@ -142,7 +147,7 @@ impl Motion<'_> {
             for iteration in 0.. {
                 let residual = &q + h * h * c[1] * &self.a - &self.q;
                 let fits = self.newton.as_ref().is_some_and(|(made_for, _)| (made_for / h - 1.0).abs() < 1e-6);
-                if !fits || iteration % 3 == 2 {
+                if !fits || iteration % 6 == 5 {
                     self.newton = Some((h, self.newton_matrix(t, h * h * c[1])?));
                 }
                 let (_, inverse) = self.newton.as_ref()?;

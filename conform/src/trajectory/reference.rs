@@ -80,6 +80,10 @@ fn numbers(json: &Value) -> Option<Vec<f64>> {
     json.as_array()?.iter().map(Value::as_f64).collect()
 }
 
+fn tables(json: &Value) -> Option<BTreeMap<String, Vec<f64>>> {
+    json.as_object()?.iter().map(|(name, list)| Some((name.clone(), numbers(list)?))).collect()
+}
+
 fn path(json: &Value) -> Option<Path> {
     json.as_array()?.iter().map(|pair| Some([pair[0].as_f64()?, pair[1].as_f64()?])).collect()
 }
@@ -126,8 +130,7 @@ fn pendulums(file: &Value) -> Option<Vec<Reference>> {
             _ => (Element::EulerBernoulli, "of Euler and Bernoulli"),
         };
         let plural = if elements == 1 { "" } else { "s" };
-        let energies = run["energy"].as_object()?;
-        let energy = energies.iter().map(|(name, list)| Some((name.clone(), numbers(list)?))).collect::<Option<_>>()?;
+        let energy = tables(&run["energy"])?;
         let frames = Frames {
             t: numbers(&run["t"])?,
             position: [("tip".to_string(), path(&run["tip"])?)].into(),
@@ -159,8 +162,7 @@ fn structures(file: &Value) -> Option<Vec<Reference>> {
     let motion = |motion: &Value| {
         let id = motion["id"].as_str()?;
         let scene = Model::parse(&motion["scene"].to_string(), id).ok()?.into_scene();
-        let energies = motion["energy"].as_object()?;
-        let energy = energies.iter().map(|(name, list)| Some((name.clone(), numbers(list)?))).collect::<Option<_>>()?;
+        let energy = tables(&motion["energy"])?;
         let (position, velocity) = (paths(&motion["position"])?, paths(&motion["velocity"])?);
         let points: Vec<&str> = position.keys().map(String::as_str).collect();
         let error = &motion["error_estimate"];
@@ -190,6 +192,8 @@ fn solids(file: &Value) -> Option<Vec<Reference>> {
         let interval = file["interval"].as_f64()?;
         let t: Vec<f64> = (0..tip.len()).map(|n| n as f64 * interval).collect();
         let totals = numbers(&run["uncertainty"]["total"])?;
+        let energy: BTreeMap<String, Vec<f64>> = tables(&run["energy"])?;
+        let uncertainties: Vec<Vec<f64>> = tables(&run["energy_uncertainty"])?.into_values().collect();
         let uncertainty = |t: &f64| {
             let window = windows.iter().position(|[_, end]| *t <= end + 1e-9).unwrap_or(windows.len() - 1);
             totals.get(window).copied().unwrap_or(f64::INFINITY)
@@ -198,17 +202,17 @@ fn solids(file: &Value) -> Option<Vec<Reference>> {
             id: format!("continuum-{}", run["id"].as_str()?),
             source: format!("continuum.json {}", file["version"].as_str()?),
             what: format!(
-                "the pendulum of Table 1 as a plane solid, {}; point: tip; 0 to 2 s",
+                "the pendulum of Table 1 as a plane solid, {}; point: tip; 0 to 2 s, energies to 0.5 s",
                 heat_words(model, start)
             ),
             scene: hinged(&file["parameters"], Element::Ancf, BEAMS_OF_THE_SOLID, model, start)?,
             position_uncertainty: t.iter().map(uncertainty).collect(),
             velocity_uncertainty: 0.0,
-            energy_uncertainty: 0.0,
+            energy_uncertainty: uncertainties.into_iter().flatten().fold(0.0, f64::max),
             is_solid: true,
             nodal: None,
             acceleration: None,
-            frames: Frames { t, position: [("tip".to_string(), tip)].into(), ..Frames::default() },
+            frames: Frames { t, position: [("tip".to_string(), tip)].into(), energy, ..Frames::default() },
         })
     };
     file["runs"].as_array()?.iter().map(run).collect()

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::file::Written;
 use super::frames::{Frames, Path};
 use super::reference::Reference;
+use super::written::Written;
 use crate::error::{Error, Result};
 
 /// Samples this near to a time of the reference, in parts of the reference's interval, are at that time.

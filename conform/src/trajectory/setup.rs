@@ -1,6 +1,6 @@
 //! What is simulated: a scene, and where a mistake departs from it.
 
-use ancf::model::Scene;
+use ancf::model::{Scene, Start};
 
 /// A scene with the departures that a scene file has no words for. Without them it is the paper's.
 #[derive(Clone, Debug)]
@@ -31,6 +31,10 @@ pub struct Setup {
     pub mass_damping: f64,
     /// Kelvin and Voigt's time of retardation of the paper's element, s.
     pub retardation: f64,
+    /// Stiffness of springs in place of fixed supports, N/m.
+    pub support_springs: Option<f64>,
+    /// Time by which loads and heat lag behind, s.
+    pub delay: f64,
     /// Stretch of the start; 1 for the scene's own.
     pub start_at_rest: StartStretch,
 }
@@ -117,6 +121,28 @@ pub enum StartStretch {
     AlongOnly,
 }
 
+impl Blocks {
+    /// Factor of an element's entry `n` of `size`. The first and the last four are shared with the neighbours.
+    pub fn share(self, element: usize, elements: usize, n: usize, size: usize) -> f64 {
+        let with_last = element > 0 && n < 4;
+        let with_next = element + 1 < elements && n + 4 >= size;
+        match self {
+            Blocks::Last if with_next => 0.0,
+            Blocks::First if with_last => 0.0,
+            Blocks::Twice if with_last => 2.0,
+            Blocks::Without(left_out) if left_out == element => 0.0,
+            _ => 1.0,
+        }
+    }
+
+    /// Factor of an entry of an element's matrix: blocks between different nodes are shared with nobody.
+    pub fn share_of_matrix(self, element: usize, elements: usize, [i, j]: [usize; 2], size: usize) -> f64 {
+        let same_node = i < 4 && j < 4 || i + 4 >= size && j + 4 >= size;
+        let left_out = self == Blocks::Without(element);
+        if same_node || left_out { self.share(element, elements, i, size) } else { 1.0 }
+    }
+}
+
 impl Law {
     /// The paper's.
     pub const PAPER: Law = Law {
@@ -133,6 +159,12 @@ impl Law {
 }
 
 impl Setup {
+    /// Whether heat acts at once at t = 0, which excites waves that take short steps.
+    pub fn is_suddenly_heated(&self) -> bool {
+        let mut heats = self.scene.rods.iter().filter_map(|rod| self.scene.heat(rod));
+        self.ramp == 0.0 && heats.any(|heat| heat.start == Start::Sudden && heat.at(0.0) != 0.0)
+    }
+
     /// A scene as it is.
     pub fn of(scene: Scene) -> Setup {
         Setup {
@@ -149,6 +181,8 @@ impl Setup {
             held_section: None,
             mass_damping: 0.0,
             retardation: 0.0,
+            support_springs: None,
+            delay: 0.0,
             start_at_rest: StartStretch::Scene,
         }
     }
