@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
-use ancf::model::{Model, Scene, ThermalModel};
+use ancf::model::{Model, ThermalModel};
 use ancf_conform::{equations_text, load_state};
 use ancf_study::escape;
 use ancf_study::files::written_lines;

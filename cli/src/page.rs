@@ -29,7 +29,7 @@ const MOST_ROWS: usize = 1500;
 /// Groups of rows in a longer chart, each with its smallest and largest value.
 const GROUPS: usize = 600;
 
-/// Significant digits of numbers in charts.
+/// Significant digits of numbers in charts, of what changes.
 const DIGITS: usize = 6;
 
 /// Text of the page.
@@ -123,10 +123,9 @@ struct RodMotion<'a> {
 
 /// Charts of a run: probes in the scene's order, the load factor of a path, energies, their balance.
 fn charts(scene: &Scene, trajectory: &Trajectory) -> Vec<Chart> {
-    let line = |column: &String, label: &str| Line {
-        column: column.clone(),
-        label: label.into(),
-        values: rounded(&thinned(&trajectory.column(column).unwrap_or_default()), DIGITS),
+    let line = |column: &String, label: &str| {
+        let values = thinned(&trajectory.column(column).unwrap_or_default());
+        Line { column: column.clone(), label: label.into(), values: rounded(&values, digits_of(&values)) }
     };
     let mut charts: Vec<Chart> = Vec::new();
     for column in trajectory.columns.iter().skip(1).filter(|column| !ENERGY_COLUMNS.contains(&column.as_str())) {
@@ -210,6 +209,15 @@ fn motion<'a>(scene: &Scene, frames: &'a Frames) -> Motion<'a> {
     }
 }
 
+/// Digits that a line needs: more where it changes by little of its size, which a chart then shows.
+fn digits_of(values: &[f64]) -> usize {
+    let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let more = (most.abs().max(least.abs()) / (most - least)).log10().ceil();
+    // Of a constant the ratio is infinite; it needs no more.
+    if more.is_finite() { (DIGITS + more.max(0.0) as usize).min(15) } else { DIGITS }
+}
+
 /// Part of the largest value in which values are counted; 1 where all are zero.
 fn quantum(largest: f64, part: f64) -> f64 {
     if largest > 0.0 && largest.is_finite() { digits(largest * part, 3) } else { 1.0 }
@@ -271,5 +279,6 @@ mod tests {
     fn numbers_are_rounded_to_digits() {
         assert_eq!([1.0 / 3.0, -0.0, 123456789.0].map(|value| digits(value, 6)), [0.333333, 0.0, 123457000.0]);
         assert_eq!(quantum(0.0, 1e-7), 1.0);
+        assert_eq!([&[0.0, 3.0][..], &[1.0, 1.00001], &[2.0, 2.0]].map(digits_of), [6, 11, 6]);
     }
 }

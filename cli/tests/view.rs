@@ -98,14 +98,18 @@ fn a_page_shows_what_the_run_computed() {
     scene.notes = vec!["a <b> note".into()];
     let out = run(folder.path(), &scene, &[]);
     assert_eq!(entries(&out), ["report.html", "summary.json", "trajectory.csv"]);
-    let (page, id) = (fs::read_to_string(out.join("report.html")).unwrap(), json(&out.join("summary.json"))["run"].clone());
+    let (page, id) =
+        (fs::read_to_string(out.join("report.html")).unwrap(), json(&out.join("summary.json"))["run"].clone());
     let id = id.as_str().unwrap();
     assert!(page.starts_with(&format!("<!DOCTYPE html>\n<!-- run {id} -->\n")), "{}", &page[..80]);
     // Data and the page's own scripts, and nothing of the scene's texts.
     assert_eq!((page.matches("<script").count(), page.matches("</script>").count()), (2, 2));
     assert!(!page.contains("alert('&')</script>") && !page.contains("{{"), "a title is a program");
     let data = data(&out);
-    assert_eq!((&data["summary"]["run"], &data["summary"]["scene"]["title"]), (&id.into(), &scene.title.clone().into()));
+    assert_eq!(
+        (&data["summary"]["run"], &data["summary"]["scene"]["title"]),
+        (&id.into(), &scene.title.clone().into())
+    );
 
     // The positions at the end, from whole numbers of the quantum.
     let (end, motion) = (at_the_end(&scene), &data["motion"]);
@@ -123,11 +127,15 @@ fn a_page_shows_what_the_run_computed() {
                 assert!((drawn - point.position[k]).abs() < 0.51 * quantum, "{} {key}: {drawn}", rod.name);
             }
         }
-        let strain = shown["elastic"][frames * at.len() - 1].as_f64().unwrap() * motion["elastic_quantum"].as_f64().unwrap();
+        let strain =
+            shown["elastic"][frames * at.len() - 1].as_f64().unwrap() * motion["elastic_quantum"].as_f64().unwrap();
         let last = axis.last().unwrap();
-        assert!((strain - (last.strain - last.thermal_strain)).abs() < 0.51 * motion["elastic_quantum"].as_f64().unwrap());
+        assert!(
+            (strain - (last.strain - last.thermal_strain)).abs() < 0.51 * motion["elastic_quantum"].as_f64().unwrap()
+        );
     }
-    let names: Vec<String> = data["charts"].as_array().unwrap().iter().map(|chart| format!("{} {}", chart["name"], chart["of"])).collect();
+    let names: Vec<String> =
+        data["charts"].as_array().unwrap().iter().map(|chart| format!("{} {}", chart["name"], chart["of"])).collect();
     let probed = ["position", "velocity", "acceleration"].map(|of| format!("\"a4\" \"{of}\""));
     assert_eq!(names[..3], probed);
     assert_eq!(names[6..], ["\"energies\" \"\"", "\"energy balance\" \"\""]);
@@ -145,7 +153,9 @@ fn a_long_run_has_a_small_page() {
     let data = data(&out);
     assert_eq!(data["rows_each"], 34);
     let lines = data["charts"][0]["lines"].as_array().unwrap();
-    assert!(lines.iter().all(|line| line["values"].as_array().unwrap().len() == data["rows"].as_array().unwrap().len()));
+    assert!(
+        lines.iter().all(|line| line["values"].as_array().unwrap().len() == data["rows"].as_array().unwrap().len())
+    );
 }
 
 #[test]
@@ -177,7 +187,10 @@ fn static_runs_play_over_the_load() {
     assert_eq!(numbers(&data(&out)["motion"]["load"]), numbers(&shapes["load"]));
     scene.output.shapes = Some(Shapes { interval: Some(0.1), points: 17 });
     let error = scene.build().unwrap_err().to_string();
-    assert!(error.contains("`output.shapes.interval` is 0.1") && error.contains("each load step has a shape"), "{error}");
+    assert!(
+        error.contains("`output.shapes.interval` is 0.1") && error.contains("each load step has a shape"),
+        "{error}"
+    );
 }
 
 /// Grid of a file for ParaView.
@@ -214,7 +227,9 @@ fn files_for_paraview_read_back() {
         assert!(text.starts_with(&format!("<!-- run {id} -->\n")), "{text}");
         assert_eq!(text.matches("<DataSet ").count(), 5);
         assert!(text.contains(&format!("timestep=\"0.02\" part=\"0\" file=\"{part}.00004.vtu\"")), "{text}");
-        assert!(fs::read_to_string(out.join(format!("{part}.00004.vtu"))).unwrap().contains(&format!("<!-- run {id} -->")));
+        assert!(
+            fs::read_to_string(out.join(format!("{part}.00004.vtu"))).unwrap().contains(&format!("<!-- run {id} -->"))
+        );
     }
 
     let axis = grid(&out.join("axis.00004.vtu"));

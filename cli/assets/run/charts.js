@@ -32,8 +32,23 @@ function valueAt(times, values, t) {
   return values[low] + share * (values[high] - values[low]);
 }
 
+// Positions that change little beside where they are, as changes since the start.
+function relative(chart) {
+  const range = (values) => Math.max(...values) - Math.min(...values);
+  const ownRange = Math.max(...chart.lines.map((line) => range(line.values)));
+  if (chart.of !== "position" || ownRange === 0 || ownRange > 0.05 * range(chart.lines.flatMap((line) => line.values).concat(0))) return chart;
+  const lines = chart.lines.map((line) => ({ ...line, values: line.values.map((value) => value - line.values[0]) }));
+  return { ...chart, of: "displacement", lines };
+}
+
+// Text with what stands between backticks as code.
+function rich(parent, words) {
+  words.split("`").forEach((part, n) => parent.append(n % 2 ? element("code", part) : part));
+}
+
 // One chart; `seek` is called with the time that a person points at, `nudge` with the number of frames to go.
-function makeChart(chart, times, timeText, seek, nudge) {
+function makeChart(given, times, timeText, seek, nudge) {
+  const chart = relative(given);
   const all = chart.lines.flatMap((line) => line.values);
   const [least, most] = all.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [Infinity, -Infinity]);
   const { factor, unit } = unitFor(chart.unit, Math.max(-least, most));

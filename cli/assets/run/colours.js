@@ -24,9 +24,10 @@ function text(value, digits = 4) {
 function unitFor(unit, largest) {
   if (!(largest > 0) || unit === "K") return { factor: 1, unit };
   const exponent = 3 * Math.floor((Math.log10(largest) + 1) / 3);
-  if (unit === "") return exponent < 0 ? { factor: 10 ** -exponent, unit: power(exponent) } : { factor: 1, unit };
+  if (unit === "") return exponent < 0 ? { factor: 10 ** -exponent, unit: `×${power(exponent)}` } : { factor: 1, unit };
   if (unit === "1/m") return { factor: 1, unit };
-  const nearest = Math.max(-9, Math.min(9, exponent));
+  if (exponent < -9) return { factor: 10 ** -exponent, unit: `${power(exponent)} ${unit}` };
+  const nearest = Math.min(9, exponent);
   // A thousand metres are no kilometre here: only lengths below one are given a prefix.
   if (unit.startsWith("m") && nearest > 0) return { factor: 1, unit };
   return { factor: 10 ** -nearest, unit: PREFIXES[nearest] + unit };

@@ -22,7 +22,7 @@ function notices() {
   const add = (kind, word, words) => {
     const notice = element("p", undefined, find("notices"), `notice ${kind}`);
     element("b", word, notice);
-    notice.append(words);
+    rich(notice, words);
   };
   if (summary.status === "failed") {
     const until = summary.last_good_time === null ? "" : ` What is shown is the run until ${data.statics ? "the load factor" : "t ="} ${text(summary.last_good_time)}${timeText.unit}.`;
@@ -37,6 +37,7 @@ function facts() {
     const fact = element("span", undefined, find("facts"));
     element("b", value, fact);
     fact.append(` ${words}`);
+    find("facts").append(" ");
   };
   const elements = scene.rods.reduce((sum, rod) => sum + (rod.elements ?? 8), 0);
   add(scene.rods.length, scene.rods.length === 1 ? "rod" : "rods");
@@ -52,7 +53,7 @@ function facts() {
 
 function table(parent, head, rows) {
   const made = element("table", undefined, parent);
-  const cells = (kind, row, into) => row.forEach(([content, className]) => element(kind, content, into, className));
+  const cells = (kind, row, into) => row.forEach(([content, className]) => rich(element(kind, undefined, into, className), content));
   cells("th", head, element("tr", undefined, element("thead", undefined, made)));
   const body = element("tbody", undefined, made);
   rows.forEach((row) => cells("td", row, element("tr", undefined, body)));
@@ -84,8 +85,9 @@ function tables() {
   }
   if (accuracy.energy.value !== undefined) element("p", `Largest energy imbalance ${text(accuracy.energy.value, 2)} J. A small one says nothing of the accuracy in time and space.`, errors);
   table(find("plan"), [["part"], [""], ["why"]], plan.map((part) => [[part.what], [part.computed ? "computed" : "left out", part.computed ? "" : "off"], [part.why]]));
-  if (scene.notes?.length) scene.notes.forEach((note) => element("li", note, find("notes").lastElementChild.tagName === "UL" ? find("notes").lastElementChild : element("ul", undefined, find("notes"))));
-  else find("notes").remove();
+  if (!scene.notes?.length) return find("notes").remove();
+  const list = element("ul", undefined, find("notes"));
+  scene.notes.forEach((note) => element("li", note, list));
 }
 
 // Motion.
@@ -180,6 +182,7 @@ function controls() {
   const fields = FIELDS.filter(({ key }) => key in stage.ranges());
   fields.forEach(({ key, label }) => Object.assign(element("option", label, find("field")), { value: key }));
   Object.assign(element("option", "none", find("field")), { value: "" });
+  find("field").value = stage.telling() in stage.ranges() ? stage.telling() : "";
   find("field").addEventListener("change", recolour);
 
   const { displacement, deflection, size } = stage.largest();
@@ -204,7 +207,7 @@ function controls() {
   if (displacement > 0 && displacement < 0.02 * size) {
     find("basis").value = "displacement";
     find("magnify").max = factors.displacement.length - 1;
-    find("magnify").value = factors.displacement.filter((factor) => factor * displacement <= 0.08 * size).length - 1;
+    find("magnify").value = factors.displacement.filter((factor) => factor * displacement <= 0.12 * size).length - 1;
   }
   find("basis").addEventListener("change", magnify);
   find("magnify").addEventListener("input", magnify);
@@ -243,7 +246,7 @@ function recolour() {
     find("ramp").style.background = `linear-gradient(to right, ${gradient})`;
     find("ticks").replaceChildren();
     const marks = low < 0 && high > 0 ? [low, 0, high] : [low, (low + high) / 2, high];
-    marks.forEach((mark, n) => element("span", text(mark * factor, 3) + (n === 2 && unit ? ` ${unit}` : ""), find("ticks")));
+    marks.forEach((mark, n) => element("span", text(mark * factor, 3) + (n === 2 && unit ? `\u00a0${unit}` : ""), find("ticks")));
   }
   stage.draw();
   if (!playing) tell();

@@ -100,6 +100,10 @@ function onRod(rod, fraction) {
   return [rod.x[k] + share * (rod.x[k + 1] - rod.x[k]), rod.y[k] + share * (rod.y[k + 1] - rod.y[k])];
 }
 
+function extentOf(values) {
+  return Math.max(...values) - Math.min(...values);
+}
+
 function makeStage(data, canvas) {
   const model = makeModel(data);
   const { scene, rods } = model;
@@ -131,7 +135,7 @@ function makeStage(data, canvas) {
     rods.forEach((rod) => [0, 1].forEach((end) => reach(rod.from[0] + end * rod.along[0], rod.from[1] + end * rod.along[1])));
     const width = canvas.clientWidth || 600;
     const [wide, tall] = [Math.max(right - left, 1e-9), Math.max(high - low, 1e-9)];
-    const room = { left: 58, right: 34, top: 34, bottom: 46 };
+    const room = { left: 88, right: 40, top: 36, bottom: 56 };
     const inner = width - room.left - room.right;
     const height = Math.round(Math.max(230, Math.min(width < 500 ? 400 : 470, (tall * inner) / wide + room.top + room.bottom)));
     canvas.style.height = `${height}px`;
@@ -193,6 +197,7 @@ function makeStage(data, canvas) {
     for (let n = Math.ceil(low / same); n * same <= high; n++) rows.push(n * same);
     columns.forEach((tick) => {
       const [x] = screen(tick, 0);
+      if (x > width - 16) return;
       line([[x, 0], [x, height - 24]], tick === 0 ? colours.line : colours.grid, 1);
       label(tickText(tick, same), x, height - 12, "center", colours.dim, false);
     });
@@ -370,9 +375,19 @@ function makeStage(data, canvas) {
         deflection = Math.max(deflection, Math.hypot(own - cx, y[k] - cy));
       }));
     });
-    return { displacement, deflection, size: box.size };
+    const span = (axis) => extentOf(Object.values(scene.points).map((point) => point[axis]));
+    return { displacement, deflection, size: Math.hypot(span(0), span(1)) };
+  }
+
+  // Field that says most: heat, else what strains the rods' surfaces more, bending or stretching.
+  function telling() {
+    const own = ranges();
+    if (own.temperature) return "temperature";
+    const bending = Math.max(...rods.map((rod) => (rod.height / 2) * Math.max(...extent(rod.curvature).map(Math.abs))));
+    const stretching = Math.max(...rods.map((rod) => Math.max(...extent(rod.elastic).map(Math.abs))));
+    return bending > stretching ? "curvature" : "elastic";
   }
 
   restyle();
-  return { model, state, draw, fit, restyle, ranges, near, largest, load, screen, at };
+  return { model, state, draw, fit, restyle, ranges, telling, near, largest, load, screen, at };
 }

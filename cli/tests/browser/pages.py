@@ -99,7 +99,11 @@ def check_values(browser: Browser, rows: list[dict[str, float]], point: str, pro
         # The pixel there belongs to the structure, and not to the paper.
         pixel, paper = browser.run(f"""(() => {{
             const canvas = document.getElementById("stage"), ratio = canvas.width / canvas.clientWidth;
-            const at = (x, y) => [...canvas.getContext("2d").getImageData(x * ratio, y * ratio, 1, 1).data];
+            // A copy to read from: reading the page's own canvas would slow it down.
+            const copy = Object.assign(document.createElement("canvas"), {{ width: canvas.width, height: canvas.height }});
+            const pen = copy.getContext("2d", {{ willReadFrequently: true }});
+            pen.drawImage(canvas, 0, 0);
+            const at = (x, y) => [...pen.getImageData(x * ratio, y * ratio, 1, 1).data];
             return [at(...ancfRun.screen('{point}')), at(1, 1)];
         }})()""")
         assert pixel != paper, f"t = {row['t']}: nothing is drawn at {point}"
