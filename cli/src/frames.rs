@@ -119,6 +119,6 @@ mod tests {
         let rod = scene.rods[0].clone();
         scene.rods = vec![rod; 400];
         let many = Frames::for_page(&scene);
-        assert_eq!((many.at[0].len(), many.every), (3, 12000 / 40));
+        assert_eq!((many.at[0].len(), many.every), (3, 12000 / 50));
     }
 }

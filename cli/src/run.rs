@@ -1,7 +1,7 @@
 //! `ancf run`: one scene from its start to its files.
 
 use std::cell::Cell;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use ancf::model::Model;
@@ -62,11 +62,22 @@ pub fn run(model: &Model, name: &str, options: Options, folder: &Path) -> Result
         Ok(run) => {
             output.frames().for_each(|frames| frames.end(&simulation));
             let paths = output.write(files, &run, None, wall_seconds)?;
-            Ok(report::run_text(scene, &run, wall_seconds) + &written_lines(&paths))
+            Ok(report::run_text(scene, &run, wall_seconds) + &written_text(&paths))
         }
         Err(error) if error.is_bad_input() => Err(error.into()),
         Err(error) => Err(failed(files, &output, &simulation.into_run(), error, wall_seconds)),
     }
+}
+
+/// The lines that tell a person which files were written, without those that a collection names.
+fn written_text(paths: &[PathBuf]) -> String {
+    let is_numbered = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "vtu");
+    let (numbered, own): (Vec<PathBuf>, Vec<PathBuf>) = paths.iter().cloned().partition(is_numbered);
+    let others = match numbered.len() {
+        0 => String::new(),
+        count => format!("wrote {count} files *.vtu beside them\n"),
+    };
+    written_lines(&own) + &others
 }
 
 /// Writes what there is of a run that failed, and returns its error.

@@ -12,7 +12,8 @@ pub struct AxisPoint {
     /// Slope ∂r/∂y across the section: the material point at y lies at `position` + y · `director`, (A.1). For
     /// Euler–Bernoulli elements, whose section keeps its size, the unit normal of the axis.
     pub director: [f64; 2],
-    /// Axial strain, heat included: Green–Lagrange, (13) along the rod; |r_x| − 1 for Euler–Bernoulli elements.
+    /// Axial strain of the straight rod, heat included: Green–Lagrange, (13) along the rod; |r_x| − 1 for Euler–Bernoulli
+    /// elements.
     pub strain: f64,
     /// Part of the strain that heat causes freely, αΔT of (8): `strain` less it is the elastic strain (14).
     pub thermal_strain: f64,

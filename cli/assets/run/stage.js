@@ -135,7 +135,7 @@ function makeStage(data, canvas) {
     rods.forEach((rod) => [0, 1].forEach((end) => reach(rod.from[0] + end * rod.along[0], rod.from[1] + end * rod.along[1])));
     const width = canvas.clientWidth || 600;
     const [wide, tall] = [Math.max(right - left, 1e-9), Math.max(high - low, 1e-9)];
-    const room = { left: 88, right: 40, top: 36, bottom: 56 };
+    const room = { left: width < 500 ? 70 : 88, right: width < 500 ? 26 : 40, top: 36, bottom: 56 };
     const inner = width - room.left - room.right;
     const height = Math.round(Math.max(230, Math.min(width < 500 ? 400 : 470, (tall * inner) / wide + room.top + room.bottom)));
     canvas.style.height = `${height}px`;
@@ -191,7 +191,7 @@ function makeStage(data, canvas) {
     const [left, right] = [(48 - box.left) / zoom, (width - box.left) / zoom];
     const [low, high] = [(box.bottom - (height - 26)) / zoom, box.bottom / zoom];
     const step = (found) => (found.length > 1 ? found[1] - found[0] : 1);
-    const columns = ticks(left, right, Math.max(2, width / 110));
+    const columns = ticks(left, right, Math.max(4, width / 90));
     const same = step(columns);
     const rows = [];
     for (let n = Math.ceil(low / same); n * same <= high; n++) rows.push(n * same);
