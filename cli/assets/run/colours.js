@@ -20,6 +20,11 @@ function text(value, digits = 4) {
   return `${mantissa.replace("-", "−")}·${power(Number(exponent))}`;
 }
 
+// A number without zeros at its end.
+function short(value) {
+  return String(Number(value.toPrecision(6))).replace("-", "−");
+}
+
 // The unit in which numbers up to `largest` have few digits before and behind the point, and the factor to it.
 function unitFor(unit, largest) {
   if (!(largest > 0) || unit === "K") return { factor: 1, unit };

@@ -10,7 +10,7 @@ const times = stage.model.t;
 const [begin, end] = [times[0] ?? 0, times[times.length - 1] ?? 0];
 const isPath = data.statics && summary.scene.time.path === "arc-length";
 const timeText = {
-  unit: data.statics ? "" : " s",
+  unit: data.statics ? "" : "\u00a0s",
   of: (t) => {
     if (isPath) return `row ${Math.round(t)} · load ${stage.load().toFixed(3)}`;
     return data.statics ? `load factor ${t.toFixed(3)}` : `t = ${t.toFixed(decimals)} s`;
@@ -25,7 +25,7 @@ function notices() {
     rich(notice, words);
   };
   if (summary.status === "failed") {
-    const until = summary.last_good_time === null ? "" : ` What is shown is the run until ${data.statics ? "the load factor" : "t ="} ${text(summary.last_good_time)}${timeText.unit}.`;
+    const until = summary.last_good_time === null ? "" : `. What is shown is the run until ${data.statics ? "the load factor" : "t ="} ${short(summary.last_good_time)}${timeText.unit}.`;
     add("bad", "The run failed.", summary.error + until);
   }
   summary.warnings.forEach((warning) => add("warn", "Warning.", warning));
@@ -43,7 +43,7 @@ function facts() {
   add(scene.rods.length, scene.rods.length === 1 ? "rod" : "rods");
   add(elements, elements === 1 ? "element" : "elements");
   add(summary.method, data.statics ? "" : "method");
-  add(summary.steps, data.statics ? "load steps" : `steps up to ${text(summary.final.t ?? 0)} s`);
+  add(summary.steps, data.statics ? "load steps" : `steps up to ${short(summary.final.t ?? 0)} s`);
   add(counts.newton_iterations, "Newton iterations");
   add(text(summary.wall_seconds, 3), "s of computing");
   find("foot").append(`${data.program} · run `, element("code", summary.run), " · data: ");

@@ -135,7 +135,7 @@ function makeStage(data, canvas) {
     rods.forEach((rod) => [0, 1].forEach((end) => reach(rod.from[0] + end * rod.along[0], rod.from[1] + end * rod.along[1])));
     const width = canvas.clientWidth || 600;
     const [wide, tall] = [Math.max(right - left, 1e-9), Math.max(high - low, 1e-9)];
-    const room = { left: width < 500 ? 70 : 88, right: width < 500 ? 26 : 40, top: 36, bottom: 56 };
+    const room = { left: width < 500 ? 70 : 88, right: width < 500 ? 26 : 62, top: 36, bottom: 56 };
     const inner = width - room.left - room.right;
     const height = Math.round(Math.max(230, Math.min(width < 500 ? 400 : 470, (tall * inner) / wide + room.top + room.bottom)));
     canvas.style.height = `${height}px`;
@@ -335,10 +335,16 @@ function makeStage(data, canvas) {
     scene.supports?.forEach(support);
     pins.forEach((point) => dot(screen(...at(point)), 3.4, colours.paper, colours.ink));
     forces();
+    const labels = [];
     for (const probe of scene.probes ?? []) {
       const here = screen(...(probe.point ? at(probe.point) : onRod(rods.find((rod) => rod.name === probe.rod), probe.at)));
       dot(here, 5, "transparent", colours.accent);
-      if (!state.names) label(probe.name, here[0] + 9, here[1] - 9, "left", colours.accent);
+      const place = [here[0] + 9, here[1] - 9, pen.measureText(probe.name).width];
+      // Of labels that would cover one another the first stays.
+      const covers = ([x, y, width]) => Math.abs(y - place[1]) < 12 && x < place[0] + place[2] && place[0] < x + width;
+      if (state.names || labels.some(covers)) continue;
+      labels.push(place);
+      label(probe.name, place[0], place[1], "left", colours.accent);
     }
     if (state.names) {
       Object.keys(model.places).forEach((point) => {
