@@ -15,6 +15,7 @@ mod nodal_vector;
 mod plane;
 mod polynomial;
 mod printed;
+mod section_state;
 
 pub use ancf::{Ancf, Law};
 pub use beam::{Beam, Ends, ThermalStrain};
@@ -23,3 +24,4 @@ pub use deviation::Deviation;
 pub use lanes::LANES;
 pub use nodal_vector::{Meaning, NodalVector};
 pub use printed::PrintedShear;
+pub use section_state::SectionState;

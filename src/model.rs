@@ -23,6 +23,7 @@ mod probes;
 mod rod;
 mod scene;
 mod scissors;
+mod shapes;
 mod supports;
 mod time;
 
@@ -41,6 +42,7 @@ pub(crate) use nearest::or_nearest;
 pub use probes::Probe;
 pub use rod::{Material, Rod, Section};
 pub use scene::Scene;
+pub use shapes::Shapes;
 pub use supports::Support;
 pub use time::{Output, Time};
 

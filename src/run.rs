@@ -1,6 +1,7 @@
 //! Runs a model: step by step with a [`Simulation`], or from start to end with [`run()`].
 
 mod accuracy;
+mod axis;
 mod column_errors;
 mod energy;
 mod equilibria;
@@ -21,6 +22,7 @@ mod warnings;
 mod window_mean;
 
 pub use accuracy::{Accuracy, ColumnAccuracy, Convergence, Estimate};
+pub use axis::AxisPoint;
 pub use estimate::run_estimated;
 pub use result::Run;
 pub use simulation::{Energies, Simulation, run, run_with_progress};

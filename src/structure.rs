@@ -13,6 +13,7 @@
 //! element by element ([`CondensedFactors`](crate::linear::CondensedFactors)), with multipliers as a whole
 //! ([`Bordered`](crate::linear::Bordered)).
 
+mod axis;
 mod build;
 mod collapse;
 mod constraint_row;

@@ -37,7 +37,7 @@ fn what_is_left_out_is_absent_or_at_its_default() {
     assert_eq!(scene.temperature, None);
     assert_eq!((scene.time.step, scene.time.method), (1e-3, Method::GeneralizedAlpha));
     assert_eq!((scene.time.rho_inf, scene.time.newton_tolerance), (0.9, 1e-10));
-    assert_eq!(scene.output, Output { interval: None, energy: true });
+    assert_eq!(scene.output, Output { interval: None, energy: true, shapes: None });
     assert_eq!((scene.steps(), scene.rows_every()), (250, 1));
 }
 

@@ -4,7 +4,7 @@ use ancf::internals::model::ENERGY_COLUMNS;
 use ancf::run::{Run, Trajectory};
 
 /// Column of the load factor, where it is a result.
-const LOAD: &str = "load";
+pub const LOAD: &str = "load";
 
 /// Time of the last row, s; the load factor in statics.
 pub fn final_time(run: &Run) -> Option<f64> {

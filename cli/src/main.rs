@@ -2,25 +2,22 @@
 
 mod conform;
 
-use std::cell::Cell;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::Instant;
 
 use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
-use ancf::model::{Model, Scene, ThermalModel};
-use ancf::run::{Run, Simulation, Trajectory};
+use ancf::model::{Model, ThermalModel};
 use ancf_conform::{equations_text, load_state};
 use ancf_study::escape;
-use ancf_study::files::{Files, written_lines};
+use ancf_study::files::written_lines;
 use ancf_study::{error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
-use indicatif::{ProgressBar, ProgressStyle};
 
 use ancf_cli::error::{Error, Result};
 use ancf_cli::report;
+use ancf_cli::run::{self, Options};
 
 /// Planar thermo-elastic ANCF beam (Peng et al. 2018).
 ///
@@ -44,7 +41,7 @@ struct Out {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Run one scene; writes trajectory.csv and summary.json.
+    /// Run one scene; writes trajectory.csv, summary.json and report.html, in which the structure moves.
     Run {
         /// Name of a built-in scene, or path of a scene file.
         scene: String,
@@ -52,6 +49,12 @@ enum Command {
         /// one: some six times the work.
         #[arg(long)]
         estimate: bool,
+        /// Write files for ParaView, too: axis.pvd and surface.pvd.
+        #[arg(long)]
+        vtk: bool,
+        /// Write no report.html, and compute nothing for it.
+        #[arg(long)]
+        no_report: bool,
         #[command(flatten)]
         out: Out,
         // Last, as the heading of its options holds for what follows.
@@ -164,7 +167,10 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let outcome = match &cli.command {
         None => ancf_study::main_job(&cli.out.folder, print).map_err(Error::from),
-        Some(Command::Run { scene, estimate, out, scissors }) => run_scene(scene, *estimate, scissors, &out.folder),
+        Some(Command::Run { scene, estimate, vtk, no_report, out, scissors }) => {
+            let options = Options { estimate: *estimate, page: !no_report, vtk: *vtk };
+            run_scene(scene, options, scissors, &out.folder)
+        }
         Some(Command::ErrorTime { scenes, references: Some(folder), .. }) => write_references(scenes, folder),
         Some(Command::ErrorTime { scenes, out, peers, quick, .. }) => {
             let options = error_time::Options { scenes: scenes.clone(), peers: peers.clone(), quick: *quick };
@@ -189,53 +195,9 @@ fn main() -> ExitCode {
 }
 
 /// `ancf run`.
-fn run_scene(name: &str, estimate: bool, options: &ScissorsOptions, folder: &Path) -> Result<()> {
-    let model = load(name, options)?;
-    let scene = model.scene();
-    // First, so that a folder that cannot be written is not found after the run.
-    let files = Files::in_folder(folder, report::FILES, &[Path::new(name)])?;
-    let clock = Instant::now();
-    let mut simulation = match Simulation::new(model.clone()) {
-        Ok(simulation) => simulation,
-        Err(error) if error.is_bad_input() => return Err(error.into()),
-        Err(error) => {
-            let trajectory = Trajectory { columns: scene.columns(), ..Trajectory::default() };
-            return failed_run(
-                files,
-                scene,
-                &Run { trajectory, ..Run::default() },
-                error,
-                clock.elapsed().as_secs_f64(),
-            );
-        }
-    };
-    let bar = progress(scene.steps());
-    // The time of the run itself, without those that its estimate needs.
-    let wall_seconds = Cell::new(0.0);
-    let on_step = |step| {
-        bar.set_position(step as u64);
-        wall_seconds.set(clock.elapsed().as_secs_f64());
-    };
-    let outcome =
-        if estimate { simulation.finish_estimated(on_step) } else { simulation.finish_with_progress(on_step) };
-    bar.finish_and_clear();
-    let wall_seconds = wall_seconds.get();
-    match outcome {
-        Ok(run) => {
-            let paths = report::write_run(files, scene, &run, None, wall_seconds)?;
-            Ok(print(&(report::run_text(scene, &run, wall_seconds) + &written_lines(&paths)))?)
-        }
-        Err(error) if error.is_bad_input() => Err(error.into()),
-        Err(error) => failed_run(files, scene, &simulation.into_run(), error, wall_seconds),
-    }
-}
-
-/// Writes what there is of a run that failed, and returns its error.
-fn failed_run(files: Files, scene: &Scene, run: &Run, error: ancf::error::Error, wall_seconds: f64) -> Result<()> {
-    match report::write_run(files, scene, run, Some(&error), wall_seconds) {
-        Ok(_) => Err(error.into()),
-        Err(unwritten) => Err(Error::Unwritten { error, unwritten: Box::new(unwritten) }),
-    }
+fn run_scene(name: &str, options: Options, scissors: &ScissorsOptions, folder: &Path) -> Result<()> {
+    let text = run::run(&load(name, scissors)?, name, options, folder)?;
+    Ok(print(&text)?)
 }
 
 /// The model of a name or path, with the changes that options ask for.
@@ -260,13 +222,6 @@ fn print_plan(name: &str, options: &ScissorsOptions) -> Result<()> {
 /// `ancf error-time --references`.
 fn write_references(scenes: &[String], folder: &Path) -> Result<()> {
     Ok(print(&written_lines(&error_time::references(scenes, folder)?))?)
-}
-
-/// A bar with the time left, on a terminal; nothing in a pipe.
-fn progress(steps: usize) -> ProgressBar {
-    let bar = ProgressBar::new(steps as u64);
-    let style = ProgressStyle::with_template("step {pos}/{len} {bar:30} {eta} left");
-    style.map_or(bar.clone(), |style| bar.with_style(style))
 }
 
 /// `ancf scene`.

@@ -1,41 +1,11 @@
-//! Output files and texts: all rounding and formatting happens here.
-//!
-//! Data files hold every digit, so that their numbers read back to the same `f64`; texts for people are rounded.
+//! Texts for people: all rounding and formatting happens here.
 
-use std::path::PathBuf;
-
-use ancf::error::Error;
 use ancf::internals::model::{Part, Plan};
 use ancf::model::{Method, Scene};
 use ancf::run::{ColumnAccuracy, Convergence, Run};
-use ancf_study::files::Files;
 
 use crate::ends::{energy_imbalance, final_time, final_values, largest_of};
-use crate::error::Result;
-use crate::summary::write_summary;
-
-/// Table of a run, and of one that failed.
-const TABLES: [&str; 2] = ["trajectory.csv", "trajectory.partial.csv"];
-
-/// Files that a run may write: of the two tables it writes one, and the other is removed with the earlier run's files.
-pub const FILES: [&str; 3] = [TABLES[0], TABLES[1], "summary.json"];
-
-/// Writes the table and `summary.json` of a run, and returns their paths; `error` ended the run.
-///
-/// # Errors
-/// [`Error::Write`](ancf_study::error::Error::Write); the earlier files are untouched then.
-pub fn write_run(
-    mut files: Files,
-    scene: &Scene,
-    run: &Run,
-    error: Option<&Error>,
-    wall_seconds: f64,
-) -> Result<Vec<PathBuf>> {
-    files.write_table(TABLES[usize::from(error.is_some())], |out| run.trajectory.write_csv(out))?;
-    let id = files.run_id();
-    files.write("summary.json", |out| write_summary(out, &id, scene, run, error, wall_seconds))?;
-    Ok(files.publish()?)
-}
+use crate::quantity::Reading;
 
 /// A run in a few lines for a person: what it was, what it took, where it ended. Ends with a newline.
 pub fn run_text(scene: &Scene, run: &Run, wall_seconds: f64) -> String {
@@ -118,12 +88,7 @@ fn sure(column: &ColumnAccuracy, value: f64, unit: &str) -> String {
 
 /// Unit of a probe's column.
 fn unit(column: &str) -> &'static str {
-    match column.rsplit('.').next() {
-        Some("vx" | "vy") => "m/s",
-        Some("ax" | "ay") => "m/s²",
-        Some("rx" | "ry") => "N",
-        _ => "m",
-    }
+    Reading::of(column).unit
 }
 
 #[cfg(test)]
@@ -175,12 +140,6 @@ pub(crate) mod tests {
         let (_, mut run) = run();
         run.trajectory.rows[0][9] = -f64::NAN;
         assert!(energy_imbalance(&run.trajectory).unwrap().is_nan());
-    }
-
-    #[test]
-    fn units_of_the_columns() {
-        let columns = ["tip.x", "tip.y", "tip.vx", "tip.vy", "tip.ax", "tip.ay", "tip.rx", "tip.ry", "rod.w"];
-        assert_eq!(columns.map(unit), ["m", "m", "m/s", "m/s", "m/s²", "m/s²", "N", "N", "m"]);
     }
 
     #[test]

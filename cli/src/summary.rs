@@ -13,45 +13,12 @@ use serde::{Serialize, Serializer};
 
 use crate::ends::{energy_imbalance, final_time, final_values};
 
-/// Writes the content of `summary.json`: the scene, what the run took, where the probes ended, and what is known of
-/// the accuracy. `id` is that of the run's table; `error` ended the run, which then holds what there was until then.
+/// Writes the content of `summary.json`.
 ///
 /// # Errors
 /// What `out` reports.
-pub fn write_summary(
-    out: &mut dyn Write,
-    id: &str,
-    scene: &Scene,
-    run: &Run,
-    error: Option<&Error>,
-    wall_seconds: f64,
-) -> io::Result<()> {
-    let summary = Summary {
-        run: id,
-        status: if error.is_some() { Status::Failed } else { Status::Ok },
-        error: error.map(Error::to_string),
-        last_good_time: error.map(|_| final_time(run)),
-        scene,
-        plan: Plan::of(scene).parts(scene),
-        method: scene.time.method,
-        steps: run.counts.steps,
-        newton_iterations: run.counts.newton_iterations,
-        counts: &run.counts,
-        wall_seconds,
-        end: End { t: final_time(run), probes: run },
-        warnings: &run.warnings,
-        accuracy: KnownErrors {
-            columns: &run.accuracy.columns,
-            amplification: run.accuracy.amplification,
-            time: Known::of(run.accuracy.time.clone()),
-            space: Known::of(run.accuracy.space.clone()),
-            energy: Known::of(energy_imbalance(&run.trajectory).map(|value| {
-                let method = "largest |energy.balance| over the rows".into();
-                Estimate { value, unit: "J", method }
-            })),
-        },
-    };
-    serde_json::to_writer_pretty(&mut *out, &summary)?;
+pub fn write_summary(out: &mut dyn Write, summary: &Summary) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, summary)?;
     writeln!(out)
 }
 
@@ -89,6 +56,38 @@ pub struct Summary<'a> {
     warnings: &'a [String],
     /// What is known of the errors.
     accuracy: KnownErrors<'a>,
+}
+
+impl<'a> Summary<'a> {
+    /// Summary of a run: the scene, what the run took, where the probes ended, and what is known of the accuracy. `id` is
+    /// that of the run's table; `error` ended the run, which then holds what there was until then.
+    pub fn of(id: &'a str, scene: &'a Scene, run: &'a Run, error: Option<&Error>, wall_seconds: f64) -> Summary<'a> {
+        Summary {
+            run: id,
+            status: if error.is_some() { Status::Failed } else { Status::Ok },
+            error: error.map(Error::to_string),
+            last_good_time: error.map(|_| final_time(run)),
+            scene,
+            plan: Plan::of(scene).parts(scene),
+            method: scene.time.method,
+            steps: run.counts.steps,
+            newton_iterations: run.counts.newton_iterations,
+            counts: &run.counts,
+            wall_seconds,
+            end: End { t: final_time(run), probes: run },
+            warnings: &run.warnings,
+            accuracy: KnownErrors {
+                columns: &run.accuracy.columns,
+                amplification: run.accuracy.amplification,
+                time: Known::of(run.accuracy.time.clone()),
+                space: Known::of(run.accuracy.space.clone()),
+                energy: Known::of(energy_imbalance(&run.trajectory).map(|value| {
+                    let method = "largest |energy.balance| over the rows".into();
+                    Estimate { value, unit: "J", method }
+                })),
+            },
+        }
+    }
 }
 
 /// How a run ended.
@@ -167,7 +166,7 @@ mod tests {
 
     fn summary(scene: &Scene, run: &Run) -> Value {
         let mut text = Vec::new();
-        write_summary(&mut text, "0f", scene, run, None, 0.25).unwrap();
+        write_summary(&mut text, &Summary::of("0f", scene, run, None, 0.25)).unwrap();
         serde_json::from_slice(&text).unwrap()
     }
 

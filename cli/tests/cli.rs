@@ -110,7 +110,7 @@ fn run_writes_the_trajectory_and_the_summary() {
     assert!(output.stderr.is_empty(), "there is no progress bar in a pipe");
     let printed = stdout(output);
     let out = folder.path().join("new/results");
-    assert_eq!(entries(&out), ["summary.json", "trajectory.csv"]);
+    assert_eq!(entries(&out), ["report.html", "summary.json", "trajectory.csv"]);
 
     let scene = Scene::builtin("free-rod-heated").unwrap();
     let csv = fs::read_to_string(out.join("trajectory.csv")).unwrap();
@@ -180,7 +180,7 @@ fn failing_run(time: Value, energy: bool) -> (Option<i32>, String) {
         assert_eq!(entries(&folder.path().join("out")), ["summary.json"]);
         assert_eq!(summary, "an older result");
     } else {
-        assert_eq!(entries(&folder.path().join("out")), ["summary.json", "trajectory.partial.csv"]);
+        assert_eq!(entries(&folder.path().join("out")), ["report.html", "summary.json", "trajectory.partial.csv"]);
         assert!(summary.contains("\"status\": \"failed\""), "{summary}");
     }
     (output.status.code(), String::from_utf8(output.stderr).unwrap())

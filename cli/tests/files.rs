@@ -72,7 +72,7 @@ fn of_two_runs_at_once_one_stands_whole() {
         let summary = summary(&out);
         assert_eq!(summary["run"], id_of(&out.join("trajectory.csv")), "files of two runs");
         wins[usize::from(summary["scene"]["title"] == "two")] += 1;
-        assert_eq!(entries(&out), ["summary.json", "trajectory.csv"]);
+        assert_eq!(entries(&out), ["report.html", "summary.json", "trajectory.csv"]);
     }
     println!("{pairs} pairs: {} ended with the first, {} with the second", wins[0], wins[1]);
 }
@@ -86,7 +86,7 @@ fn a_run_that_fails_leaves_its_rows_and_its_error() {
     assert!(ancf(folder.path(), &["run", "good.json"]).status.success());
 
     let error = message(&ancf(folder.path(), &["run", "failing.json"]), 1);
-    assert_eq!(entries(&out), ["summary.json", "trajectory.partial.csv"]);
+    assert_eq!(entries(&out), ["report.html", "summary.json", "trajectory.partial.csv"]);
     let table = out.join("trajectory.partial.csv");
     let rows: Vec<String> = fs::read_to_string(&table).unwrap().lines().map(String::from).collect();
     let last: f64 = rows.last().unwrap().split(',').next().unwrap().parse().unwrap();
@@ -101,7 +101,7 @@ fn a_run_that_fails_leaves_its_rows_and_its_error() {
     assert_eq!(failed["run"], id_of(&table));
 
     assert!(ancf(folder.path(), &["run", "good.json"]).status.success());
-    assert_eq!(entries(&out), ["summary.json", "trajectory.csv"]);
+    assert_eq!(entries(&out), ["report.html", "summary.json", "trajectory.csv"]);
     let good = summary(&out);
     assert_eq!((&good["status"], &good["error"], &good["last_good_time"]), (&"ok".into(), &Value::Null, &Value::Null));
 }
@@ -148,7 +148,7 @@ fn a_folder_that_cannot_be_written_is_found_before_the_run() {
     let folder = tempfile::tempdir().unwrap();
     write_scene(folder.path(), "long", "1.0", "400.0");
     let out = folder.path().join("out");
-    for name in ["trajectory.csv", "trajectory.partial.csv", "summary.json"] {
+    for name in ["trajectory.csv", "trajectory.partial.csv", "summary.json", "report.html", "axis.pvd"] {
         fs::create_dir_all(out.join(name)).unwrap();
         let error = message(&ancf(folder.path(), &["run", "long.json"]), 1);
         assert!(error.starts_with(&format!("error: cannot write out/{name}")), "{error}");
@@ -185,7 +185,7 @@ fn a_full_disk_leaves_the_earlier_files() {
         let output = Command::new("sh").args(["-c", &line, binary]).current_dir(folder.path()).output().unwrap();
         let error = message(&output, 1);
         assert!(error.contains("cannot write out"), "{error}");
-        assert_eq!(entries(&out), ["summary.json", "trajectory.csv"]);
+        assert_eq!(entries(&out), ["report.html", "summary.json", "trajectory.csv"]);
         assert!(before == ["trajectory.csv", "summary.json"].map(|name| fs::read(out.join(name)).unwrap()));
     }
 }

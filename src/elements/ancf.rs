@@ -29,6 +29,7 @@ use super::nodal_vector::Meaning::{Position, SlopeX, SlopeY};
 use super::nodal_vector::NodalVector;
 use super::plane::{Block, Linear, Scalar, Vec2, Vector, vec2};
 use super::polynomial::{GaussPoint, Quadratic, add_at, add_moments, add_slope_at, at, gauss_points, slope_at};
+use super::section_state::SectionState;
 use crate::equations::element::Matrix14;
 use crate::equations::shape::{S, Vector14};
 use crate::equations::volume::GAUSS_5;
@@ -231,6 +232,18 @@ impl Beam<14> for Ancf {
 
     fn axis(fraction: f64, u: &Vector14, l: f64) -> Vector2<f64> {
         S(fraction * l, 0.0, l) * u
+    }
+
+    /// The strain is a₀, that of (13) along the rod. The director d turns by (d × d')/|d|² per length.
+    fn section_state(&self, fraction: f64, u: &Vector14) -> SectionState {
+        let (zeta, shape): (f64, Shape<Vec2>) = (2.0 * fraction - 1.0, self.shape_of(u));
+        let (p, d) = (at(zeta, &shape.p), self.n + at(zeta, &shape.delta));
+        let kappa = slope_at(zeta, &shape.delta) * (2.0 * self.per_length);
+        SectionState {
+            director: d.to_array().into(),
+            strain: self.t.dot(p) + 0.5 * p.dot(p),
+            curvature: cross(d, kappa) / d.dot(d),
+        }
     }
 
     /// With J = [r₀' + yκ, d], det J is r₀' × d + y κ × d. It is linear in y, so it is smallest at an outermost Gauss point.

@@ -7,6 +7,7 @@ use nalgebra::{SMatrix, SVector, Vector2};
 use super::deviation::Deviation;
 use super::lanes::LANES;
 use super::nodal_vector::NodalVector;
+use super::section_state::SectionState;
 
 /// Thermal strain (along, across) in the rod's own axes: (α_T ΔT, α_T ΔT) in the 2D model, (α_T ΔT, 0) in the 1D model.
 pub type ThermalStrain = [f64; 2];
@@ -44,6 +45,9 @@ pub trait Beam<const N: usize> {
 
     /// Displacement of the axis at a fraction of the length, m.
     fn axis(fraction: f64, u: &SVector<f64, N>, l: f64) -> Vector2<f64>;
+
+    /// State of the section at a fraction of the length.
+    fn section_state(&self, fraction: f64, u: &SVector<f64, N>) -> SectionState;
 
     /// Smallest det J over the quadrature points; ≤ 0 or NaN: the element has collapsed.
     ///

@@ -22,6 +22,7 @@ use super::nodal_vector::Meaning::{Position, SlopeX};
 use super::nodal_vector::NodalVector;
 use super::plane::{Block, Linear, Scalar, Vec2, Vector, vec2};
 use super::polynomial::{GaussPoint, Quadratic, add_at, add_moments, add_slope_at, at, gauss_points, slope_at};
+use super::section_state::SectionState;
 use crate::equations::cable::{Matrix8, S_i, Vector8};
 use crate::equations::volume::{GAUSS_3, GAUSS_5};
 
@@ -208,6 +209,16 @@ impl Beam<8> for Cable {
             .fold(Vec2::ZERO, |sum, (s, r)| sum + r * s)
             .to_array()
             .into()
+    }
+
+    fn section_state(&self, fraction: f64, u: &Vector8) -> SectionState {
+        let (point, shape) = (GaussPoint { weight: 0.0, zeta: 2.0 * fraction - 1.0 }, self.shape_of(u));
+        let (stretch, bend) = (self.stretch(&point, &shape), self.bend(&point, &shape));
+        SectionState {
+            director: (bend.r_x.turn() * (1.0 / stretch.length)).to_array().into(),
+            strain: stretch.strain,
+            curvature: bend.kappa(),
+        }
     }
 
     /// The section stays plane and normal to the axis and rotates by θ_x = (r_x × r_xx)/|r_x|² per length. So a fibre at y is

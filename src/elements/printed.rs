@@ -16,6 +16,7 @@ use super::ancf::{Ancf, Law};
 use super::beam::{Beam, Ends, ThermalStrain};
 use super::lanes::LANES;
 use super::nodal_vector::NodalVector;
+use super::section_state::SectionState;
 use crate::equations::element::{Element, Matrix14};
 use crate::equations::material::LameConstants;
 use crate::equations::shape::Vector14;
@@ -28,7 +29,7 @@ pub struct PrintedShear {
     element: Element,
     theta: f64,
     lame: LameConstants,
-    /// The element in its consistent form, for the collapse check.
+    /// The element in its consistent form, for the collapse check and the section's state.
     body: Ancf,
 }
 
@@ -76,6 +77,10 @@ impl Beam<14> for PrintedShear {
 
     fn axis(fraction: f64, u: &Vector14, l: f64) -> Vector2<f64> {
         Ancf::axis(fraction, u, l)
+    }
+
+    fn section_state(&self, fraction: f64, u: &Vector14) -> SectionState {
+        self.body.section_state(fraction, u)
     }
 
     fn min_det_j(&self, before: &Vector14, u: &Vector14) -> f64 {

@@ -26,7 +26,7 @@ use motion::check_motion;
 use probes::check_probes;
 use statics::check_statics;
 use supports::check_supports;
-use time::{check_output, check_time};
+use time::{check_output, check_shapes, check_time};
 use topology::check_topology;
 
 /// Checks every condition of a scene.
@@ -57,7 +57,8 @@ pub fn check(scene: &Scene) -> Check {
     check_statics(scene)?;
     check_motion(scene)?;
     check_probes(scene)?;
-    check_output(scene)
+    check_output(scene)?;
+    check_shapes(scene)
 }
 
 fn check_line(key: impl Display, text: &str) -> Check {

@@ -233,6 +233,13 @@ impl Scene {
         self.output.interval.map_or(1, |interval| (interval / self.stride()).round().max(1.0) as usize)
     }
 
+    /// Number of steps from one shape of `output.shapes` to the next, at least 1; `None` without shapes.
+    pub fn shapes_every(&self) -> Option<usize> {
+        let interval = self.output.shapes.as_ref()?.interval;
+        let own = interval.map(|interval| (interval / self.stride()).round().max(1.0) as usize);
+        Some(own.unwrap_or_else(|| self.rows_every()))
+    }
+
     /// Whether the state after `step` steps is an output row: the first, each [`rows_every`](Scene::rows_every)-th, and
     /// the last.
     pub fn is_row(&self, step: usize) -> bool {

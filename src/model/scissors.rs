@@ -83,7 +83,7 @@ impl Scissors {
             forces: vec![Force::new("a1", [0.0, 0.0 - self.force])],
             temperature: self.temperature(),
             time: Time { step: 2.5e-4, method: Method::EnergyMomentum, ..Time::until(3.0) },
-            output: Output { interval: Some(0.01), energy: true },
+            output: Output { interval: Some(0.01), ..Output::default() },
             probes: self.probes(),
             ..Scene::new(Material::new(7e10, 0.0, 2750.0).alpha(2.3e-5), Section::new(0.02, 0.02))
         };

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::choice::{LoadPath, Method, is_default};
 use super::json::shape;
+use super::shapes::Shapes;
 
 /// Most time steps of a run: more is a mistyped step, and would take days even with one element.
 pub const MOST_STEPS: f64 = 1e9;
@@ -108,7 +109,7 @@ fn default_newton_tolerance() -> f64 {
     1e-10
 }
 
-/// Output rows and energy columns.
+/// Output rows, energy columns and shapes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -119,6 +120,9 @@ pub struct Output {
     /// Whether energies are computed and recorded. Refused in statics.
     #[serde(default = "default_energy", skip_serializing_if = "is_default_energy")]
     pub energy: bool,
+    /// Shapes of the rods in a file of their own, `shapes.json`; `None`: no such file.
+    #[serde(default, deserialize_with = "shape::some_object", skip_serializing_if = "Option::is_none")]
+    pub shapes: Option<Shapes>,
 }
 
 fn default_energy() -> bool {
@@ -131,7 +135,7 @@ fn is_default_energy(value: &bool) -> bool {
 
 impl Default for Output {
     fn default() -> Self {
-        Output { interval: None, energy: default_energy() }
+        Output { interval: None, energy: default_energy(), shapes: None }
     }
 }
 

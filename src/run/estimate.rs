@@ -49,7 +49,7 @@ const STEP_RATIO: f64 = 1.5;
 /// Most finer steps per step, for loads that come and go within it.
 const MOST_PARTS: usize = 16;
 
-/// Runs a model and estimates its errors; `on_step` is called with the number of steps done of the run itself.
+/// Runs a model and estimates its errors; `on_step` gets the simulation after each step of the run itself.
 ///
 /// ```
 /// use ancf::model::{Method, Scene};
@@ -66,7 +66,7 @@ const MOST_PARTS: usize = 16;
 /// Those of [`run`](super::run()); [`Error::Scene`] for an arc-length path; [`Error::NoEstimate`] where a finer run
 /// fails, [`Error::Inaccurate`] where the sum of both errors exceeds a tenth of the motion, [`Error::Unstable`] for an
 /// unstable equilibrium, and [`Error::UnstableMotion`] for an unstable motion.
-pub fn run_estimated<M>(model: M, on_step: impl FnMut(usize)) -> Result<Run>
+pub fn run_estimated<M>(model: M, on_step: impl FnMut(&Simulation)) -> Result<Run>
 where
     M: TryInto<Model>,
     Error: From<M::Error>,
@@ -81,7 +81,7 @@ impl Simulation {
     ///
     /// # Errors
     /// Those of [`run_estimated`].
-    pub fn finish_estimated(&mut self, on_step: impl FnMut(usize)) -> Result<Run> {
+    pub fn finish_estimated(&mut self, on_step: impl FnMut(&Simulation)) -> Result<Run> {
         let model = self.model().clone();
         let scene = model.scene();
         if scene.time.has_load_column() {
@@ -186,6 +186,8 @@ fn judge_convergence(
 /// Scene with twice the step, half the load steps, or ten times the tolerance. It may be none that runs.
 fn coarser_steps(scene: &Scene) -> Scene {
     let mut coarser = scene.clone();
+    // Their interval need not be a whole number of the longer steps.
+    coarser.output.shapes = None;
     let time = &mut coarser.time;
     match time.method {
         Method::Static => time.load_steps /= 2,

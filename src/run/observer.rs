@@ -134,7 +134,7 @@ impl Observer<'_> {
     pub(super) fn run_with_progress(
         &self,
         run: &mut Simulation,
-        on_step: impl FnMut(usize),
+        on_step: impl FnMut(&Simulation),
     ) -> Result<(Run, Observations)> {
         let parts = (run.model().scene().steps() / self.scene.steps()).max(1);
         let located: Vec<Located> = self

@@ -303,13 +303,14 @@ impl Simulation {
         self.finish_with_progress(|_| ())
     }
 
-    /// [`finish`](Simulation::finish) that calls `on_step` after each step with the number of steps done, of [`Scene::steps`].
+    /// [`finish`](Simulation::finish) that shows itself to `on_step` after each step: for progress
+    /// ([`steps_done`](Simulation::steps_done) of [`Scene::steps`]), or for readings of your own.
     ///
     /// # Errors
     /// Those of [`finish`](Simulation::finish).
-    pub fn finish_with_progress(&mut self, mut on_step: impl FnMut(usize)) -> Result<Run> {
+    pub fn finish_with_progress(&mut self, mut on_step: impl FnMut(&Simulation)) -> Result<Run> {
         while self.step()? {
-            on_step(self.done);
+            on_step(self);
         }
         let scene = self.model.scene();
         let mut warnings = warnings(scene);
@@ -466,15 +467,7 @@ impl Simulation {
     /// # Errors
     /// [`Error::Unknown`] if there is no rod of this name; [`Error::Scene`] for a fraction outside 0 … 1.
     pub fn deflection(&self, rod: &str, at: f64) -> Result<f64> {
-        if !(0.0..=1.0).contains(&at) {
-            let allowed = "a number from 0 to 1, both included: the place as a fraction of the rod's length".into();
-            return Err(Error::Scene {
-                file: "deflection".into(),
-                key: "at".into(),
-                value: format!("{at:?}"),
-                allowed,
-            });
-        }
+        let at = checked_fraction("deflection", at)?;
         let deflection = self.structure.deflection(self.structure.rod(rod)?, at, &self.state.u);
         if !deflection.is_finite() {
             return Err(Error::NotFinite { quantity: "the deflection", time: self.state.t, step: self.state.step });
@@ -555,6 +548,18 @@ impl Simulation {
     }
 }
 
+/// The fraction of a rod's length that a reading asks for.
+///
+/// # Errors
+/// [`Error::Scene`] for a number outside 0 … 1.
+pub(super) fn checked_fraction(reading: &str, at: f64) -> Result<f64> {
+    if (0.0..=1.0).contains(&at) {
+        return Ok(at);
+    }
+    let allowed = "a number from 0 to 1, both included: the place as a fraction of the rod's length".into();
+    Err(Error::Scene { file: reading.into(), key: "at".into(), value: format!("{at:?}"), allowed })
+}
+
 /// Warning about an arc-length path that has used up its rows.
 fn short_path(state: &State) -> String {
     let State { step, load, .. } = state;
@@ -594,11 +599,11 @@ where
     Simulation::new(model)?.finish()
 }
 
-/// Runs a model; after each step `on_step` is called with the number of steps done, of [`Scene::steps`].
+/// Runs a model; after each step `on_step` gets the simulation.
 ///
 /// # Errors
 /// Those of [`Simulation::new`] and [`Simulation::finish`].
-pub fn run_with_progress<M>(model: M, on_step: impl FnMut(usize)) -> Result<Run>
+pub fn run_with_progress<M>(model: M, on_step: impl FnMut(&Simulation)) -> Result<Run>
 where
     M: TryInto<Model>,
     Error: From<M::Error>,
@@ -610,7 +615,7 @@ where
 ///
 /// # Errors
 /// Those of [`Simulation::planned`] and [`Simulation::finish`].
-pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(usize)) -> Result<Run> {
+pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(&Simulation)) -> Result<Run> {
     Simulation::planned(scene.try_into()?, plan)?.finish_with_progress(on_step)
 }
 
@@ -620,13 +625,13 @@ pub fn run_planned(scene: &Scene, plan: &Plan, on_step: impl FnMut(usize)) -> Re
 /// Those of [`Simulation::finish`].
 pub fn run_watched(
     simulation: &mut Simulation,
-    mut on_step: impl FnMut(usize),
+    mut on_step: impl FnMut(&Simulation),
     mut see: impl FnMut(&Simulation),
 ) -> Result<Run> {
     see(simulation);
     while simulation.step()? {
         see(simulation);
-        on_step(simulation.steps_done());
+        on_step(simulation);
     }
     simulation.finish()
 }

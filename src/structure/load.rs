@@ -66,8 +66,11 @@ impl Structure {
         if !self.plan.heat {
             return [0.0; 2];
         }
-        // In statics a single pair is the full heat, which grows with the load factor.
-        let grows = self.is_static && rod.heat.as_ref().is_some_and(|heat| heat.temperature.history.len() == 1);
-        if grows { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) }
+        if self.heat_grows(rod) { rod.thermal_strain(0.0).map(|full| t * full) } else { rod.thermal_strain(t) }
+    }
+
+    /// Whether a rod's heat grows with the load factor: in statics a single pair is the full heat.
+    pub(super) fn heat_grows(&self, rod: &Rod) -> bool {
+        self.is_static && rod.heat.as_ref().is_some_and(|heat| heat.temperature.history.len() == 1)
     }
 }

@@ -29,7 +29,7 @@ pub struct PointId(usize);
 
 /// Rod of a structure, found by [`Structure::rod`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct RodId(usize);
+pub struct RodId(pub(super) usize);
 
 impl Structure {
     /// Finds a point by name.

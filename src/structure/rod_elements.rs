@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use nalgebra::{Complex, DVector, Vector2};
 
 use super::node_dofs::NodeDofs;
-use crate::elements::{Ends, NodalVector, ThermalStrain};
+use crate::elements::{Ends, NodalVector, SectionState, ThermalStrain};
 use crate::linear::{BlockMut, Chain};
 
 /// Matrix of an element; vectors are those of the whole structure.
@@ -84,6 +84,9 @@ pub(super) trait RodElements: Debug + Send + Sync {
 
     /// Displacement of the axis, `place` elements from the rod's first point.
     fn axis(&self, place: f64, u: &DVector<f64>) -> Vector2<f64>;
+
+    /// State of the section, `place` elements from the rod's first point; between two elements the mean of both.
+    fn section_state(&self, place: f64, u: &DVector<f64>) -> SectionState;
 
     /// Entry of an element's M that couples two of its nodal vectors, kg: M does not couple x with y, and is the same
     /// for both.

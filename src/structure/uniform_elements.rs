@@ -8,7 +8,7 @@ use nalgebra::{Complex, DVector, SMatrix, SVector, Vector2};
 use super::element_dofs::{ElementDofs, gather, scatter};
 use super::node_dofs::NodeDofs;
 use super::rod_elements::{ElementMatrix, RodElements, RodInstant};
-use crate::elements::{Beam, Deviation, Ends, LANES, NodalVector, ThermalStrain};
+use crate::elements::{Beam, Deviation, Ends, LANES, NodalVector, SectionState, ThermalStrain};
 use crate::linear::{BlockMut, Chain, FrontalChain, NO_UNKNOWN};
 
 /// Equal elements of one type with `N` nodal coordinates each.
@@ -132,6 +132,15 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
     fn axis(&self, place: f64, u: &DVector<f64>) -> Vector2<f64> {
         let element = (place.floor() as usize).min(self.places.len() - 1);
         B::axis(place - element as f64, &self.places[element].gather(u), self.along.norm())
+    }
+
+    fn section_state(&self, place: f64, u: &DVector<f64>) -> SectionState {
+        // A fraction of the length is a place between two elements but for rounding.
+        let place = if (place - place.round()).abs() < 1e-9 { place.round() } else { place };
+        let element = (place.floor() as usize).min(self.places.len() - 1);
+        let of = |element: usize| self.beam.section_state(place - element as f64, &self.places[element].gather(u));
+        let own = of(element);
+        if element > 0 && place == element as f64 { own.mean(of(element - 1)) } else { own }
     }
 
     fn mass(&self, row: usize, column: usize) -> f64 {

@@ -26,6 +26,9 @@ pub use self::run_id::RunId;
 use self::stamp::stamped;
 use crate::error::{Error, Result};
 
+/// Beginning and end of names that have a number between them.
+pub type Series = (&'static str, &'static str);
+
 /// Output files of one command: written without their names first, then named together.
 ///
 /// Files that are dropped without [`Files::publish`] leave nothing behind but the folder.
@@ -34,6 +37,8 @@ pub struct Files {
     folder: Folder,
     /// Names that the command may write; those that it does not write are removed with the earlier set.
     names: Vec<String>,
+    /// Beginnings and ends of names with a number between them, which the command may write as well.
+    series: Vec<Series>,
     written: Vec<(String, File)>,
     /// Texts that get the run id when all tables are known.
     texts: Vec<(String, String)>,
@@ -62,7 +67,16 @@ impl Files {
         }
         let folder = Folder::open(folder)?;
         folder.check(&names)?;
-        Ok(Files { folder, names, written: Vec::new(), texts: Vec::new(), tables: RunId::default() })
+        let (series, written, texts) = (Vec::new(), Vec::new(), Vec::new());
+        Ok(Files { folder, names, series, written, texts, tables: RunId::default() })
+    }
+
+    /// Tells of files that are numbered, as many as there may be. Those of an earlier run that this one does not write are
+    /// removed with it.
+    #[must_use]
+    pub fn numbered(mut self, series: &[Series]) -> Files {
+        self.series.extend(series);
+        self
     }
 
     /// Writes a table; `content` gets a buffered writer.
@@ -119,7 +133,7 @@ impl Files {
 
     /// Refuses a name that the command has not told, as nothing was checked for it.
     fn declared(&self, name: &str) -> Result<()> {
-        if self.names.iter().any(|known| known == name) {
+        if self.names.iter().any(|known| known == name) || is_numbered(&self.series, name) {
             return Ok(());
         }
         let source = io::Error::other("this command has no output file of that name");
@@ -153,9 +167,16 @@ impl Files {
         let names: Vec<&String> = self.written.iter().map(|(name, _)| name).collect();
         let paths = names.iter().map(|name| self.folder.path().join(name)).collect();
         let stale: Vec<&str> = self.names.iter().filter(|name| !names.contains(name)).map(String::as_str).collect();
-        self.folder.switch(self.written, &stale)?;
+        let series = self.series;
+        self.folder.switch(self.written, &stale, |name| is_numbered(&series, name))?;
         Ok(paths)
     }
+}
+
+/// Whether a name is one of a series.
+fn is_numbered(series: &[Series], name: &str) -> bool {
+    let number = |(begin, end): &Series| name.strip_prefix(begin)?.strip_suffix(end);
+    series.iter().filter_map(number).any(|number| !number.is_empty() && number.bytes().all(|c| c.is_ascii_digit()))
 }
 
 /// The lines that tell a person which files were written.
@@ -322,6 +343,20 @@ mod tests {
             assert!(a == b && b == c);
         }
         assert_eq!(entries(folder.path()), ["a", "b", "c"]);
+    }
+
+    #[test]
+    fn numbered_files_of_an_earlier_run_are_removed() {
+        let folder = tempfile::tempdir().unwrap();
+        for name in ["a.1.vtu", "a.2.vtu", "a.vtu", "a.x.vtu", "ba.1.vtu"] {
+            fs::write(folder.path().join(name), "old").unwrap();
+        }
+        let mut files = in_folder(folder.path(), &[]).unwrap().numbered(&[("a.", ".vtu")]);
+        files.write("a.1.vtu", |w| w.write_all(b"new")).unwrap();
+        assert!(files.write("a.x.vtu", |_| Ok(())).is_err());
+        files.publish().unwrap();
+        assert_eq!(entries(folder.path()), ["a.1.vtu", "a.vtu", "a.x.vtu", "ba.1.vtu"]);
+        assert_eq!(fs::read(folder.path().join("a.1.vtu")).unwrap(), b"new");
     }
 
     #[cfg(unix)]

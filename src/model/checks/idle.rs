@@ -20,6 +20,11 @@ pub fn check_idle(scene: &Scene, is_given: impl Fn(&str) -> bool) -> Check {
         let users = "in statics slowly growing loads supply exactly the stored energy";
         return idle(key, scene.output.energy.to_string(), method, users);
     }
+    let interval = scene.output.shapes.as_ref().and_then(|shapes| shapes.interval);
+    if let (Method::Static, Some(interval)) = (method, interval) {
+        let users = "in statics each load step has a shape";
+        return idle("output.shapes.interval", format!("{interval:?}"), method, users);
+    }
     Ok(())
 }
 

@@ -11,6 +11,15 @@ const MOST_LOAD_STEPS: usize = 1_000_000;
 /// Most numbers in a trajectory, which is kept in memory: 0.8 GB.
 const MOST_NUMBERS: f64 = 1e8;
 
+/// Most numbers in `shapes.json`: some 200 MB of text.
+const MOST_SHAPE_NUMBERS: f64 = 1e7;
+
+/// Most points of a rod's shape: more than any screen shows.
+const MOST_SHAPE_POINTS: usize = 10_001;
+
+/// Numbers of a point of a shape: position, director, strain, curvature.
+const NUMBERS_OF_A_POINT: f64 = 6.0;
+
 /// Tolerance of a whole ratio: relative, and absolute in the unit of the ratio. The first accepts steps written with
 /// ten digits; the second keeps the end of a long run within a thousandth of a step.
 const WHOLE_TOLERANCE: (f64, f64) = (1e-9, 1e-3);
@@ -70,6 +79,27 @@ pub(in crate::model) fn check_output(scene: &Scene) -> Check {
     let smallest = end * columns / MOST_NUMBERS;
     let allowed = format_args!("at least {smallest:.3e} s: {columns} columns, and {MOST_NUMBERS:e} numbers at most");
     require(rows * columns <= MOST_NUMBERS, key, format_args!("{interval:?}"), allowed)
+}
+
+/// Checks the shapes and their size.
+pub(in crate::model) fn check_shapes(scene: &Scene) -> Check {
+    let (Some(shapes), Some(every)) = (&scene.output.shapes, scene.shapes_every()) else { return Ok(()) };
+    let allowed =
+        format_args!("a whole number from 2 to {MOST_SHAPE_POINTS}: the ends of a rod are points of its shape");
+    require((2..=MOST_SHAPE_POINTS).contains(&shapes.points), "output.shapes.points", shapes.points, allowed)?;
+    if let Some(interval) = shapes.interval {
+        let key = "output.shapes.interval";
+        positive(key, interval)?;
+        let adaptive = scene.time.method.is_adaptive();
+        let rows = scene.output.interval.filter(|_| adaptive).map(|interval| ("output.interval", interval));
+        whole(key, interval, rows.unwrap_or(("time.step", scene.time.step)), interval)?;
+    }
+    let instants = scene.steps() as f64 / every as f64;
+    let numbers = instants * scene.rods.len() as f64 * shapes.points as f64 * NUMBERS_OF_A_POINT;
+    let allowed = format_args!(
+        "fewer instants or points: {numbers:.1e} numbers in `shapes.json` here, {MOST_SHAPE_NUMBERS:e} at most; a longer `interval` helps"
+    );
+    require(numbers <= MOST_SHAPE_NUMBERS, "output.shapes", "too much for a file", allowed)
 }
 
 /// Refuses a duration that is not a whole number of steps, and proposes a step that divides `part` of it.

@@ -88,7 +88,7 @@ impl Setup {
             Resolution::Steps(_) | Resolution::Tolerance(_) => {
                 scene.time.step = resolution.step(benchmark.interval).unwrap_or(benchmark.interval);
                 let energy = record == Record::Energies;
-                scene.output = Output { interval: Some(benchmark.interval), energy };
+                scene.output = Output { interval: Some(benchmark.interval), energy, shapes: None };
             }
         }
         scene.probes.retain_mut(|probe| {

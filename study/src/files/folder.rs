@@ -119,11 +119,17 @@ impl Folder {
         Ok(self.staging.insert(staging).folder.path())
     }
 
-    /// Gives the files of a set their names in place of an earlier set's, and removes files of the `stale` names.
+    /// Gives the files of a set their names in place of an earlier set's, and removes files of the `stale` names and all
+    /// others whose name `is_own`.
     ///
     /// # Errors
     /// [`Error::Write`]. Before the set was complete the earlier one is untouched; afterwards the next run completes it.
-    pub(super) fn switch(mut self, written: Vec<(String, File)>, stale: &[&str]) -> Result<()> {
+    pub(super) fn switch(
+        mut self,
+        written: Vec<(String, File)>,
+        stale: &[&str],
+        is_own: impl Fn(&str) -> bool,
+    ) -> Result<()> {
         let path = self.path.clone();
         let failed = |source| Error::Write { path: path.clone(), source };
         let _lock = lock(&self.path).map_err(failed)?;
@@ -131,7 +137,9 @@ impl Folder {
         let names: Vec<&str> = written.iter().map(|(name, _)| name.as_str()).collect();
         self.check(&names)?;
         self.check(stale)?;
-        let ready = self.fill(&written, &list(&names, stale)).map_err(failed)?;
+        let others = files_of(&self.path, |name| is_own(name) && !names.contains(&name)).map_err(failed)?;
+        let stale: Vec<&str> = stale.iter().copied().chain(others.iter().map(String::as_str)).collect();
+        let ready = self.fill(&written, &list(&names, &stale)).map_err(failed)?;
         // Some systems rename no folder of an open file.
         drop(written);
         fs::rename(ready, self.path.join(READY)).map_err(failed)?;
@@ -151,6 +159,20 @@ impl Folder {
         // From here on it is not removed when this value goes.
         self.staging.take().map(|staging| staging.folder.keep()).ok_or(io::ErrorKind::NotFound.into())
     }
+}
+
+/// Names of the files in a folder that are wanted.
+fn files_of(folder: &Path, is_wanted: impl Fn(&str) -> bool) -> io::Result<Vec<String>> {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if let Some(name) = entry.file_name().to_str().filter(|name| is_wanted(name))
+            && entry.file_type()?.is_file()
+        {
+            names.push(name.to_string());
+        }
+    }
+    Ok(names)
 }
 
 /// Lines of a set's list.
@@ -302,7 +324,7 @@ mod tests {
         living.takes_unnamed = false;
         let file = living.create("a").unwrap();
         Folder::open(folder.path()).unwrap();
-        living.switch(vec![("a".into(), file)], &[]).unwrap();
+        living.switch(vec![("a".into(), file)], &[], |_| false).unwrap();
         assert_eq!(contents(folder.path()), set(&[("a", "")]));
     }
 
@@ -316,7 +338,7 @@ mod tests {
             own.takes_unnamed &= takes_unnamed;
             let mut file = own.create("a").unwrap();
             file.write_all(b"new").unwrap();
-            own.switch(vec![("a".into(), file)], &["stale"]).unwrap();
+            own.switch(vec![("a".into(), file)], &["stale"], |_| false).unwrap();
             assert_eq!(contents(folder.path()), set(&[("a", "new")]));
         }
     }

@@ -62,7 +62,7 @@ fn trials() -> Vec<Trial> {
             spoil(&mut scene);
             // So that every step is reported.
             scene.output.interval = None;
-            let outcome = run_with_progress(&scene, |done| steps = done);
+            let outcome = run_with_progress(&scene, |now| steps = now.steps_done());
             // A refusal after a step is too late, and counts as none.
             if steps > 0 { Ok(Finding::default()) } else { Ok(outcome.map(Finding::of)?) }
         };
