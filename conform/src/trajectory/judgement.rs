@@ -112,11 +112,13 @@ impl Comparison<'_> {
             Some(order) if self.lost_order(order).is_some() => Verdict::Mistake,
             Some(order) => {
                 let reach = order.apart / (order.ratio.powf(LEAST_ORDER) - 1.0);
-                let approaches = off <= reach && order.order >= 0.5 * LEAST_ORDER;
-                match (approaches || explained, off <= reach) {
-                    (true, _) => Verdict::ShortenTheStep,
-                    (false, true) => Verdict::Undecided,
-                    (false, false) => Verdict::Mistake,
+                if off <= reach && order.order >= 0.5 * LEAST_ORDER {
+                    Verdict::ShortenTheStep
+                } else if off <= reach || explained {
+                    // Right methods may be as far off at this step; but shorter steps do not lead this one to the reference.
+                    Verdict::Undecided
+                } else {
+                    Verdict::Mistake
                 }
             }
             None if explained => Verdict::ShortenTheStep,

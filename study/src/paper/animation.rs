@@ -14,7 +14,7 @@ const FRAMES: usize = 60;
 /// Pixels: of the picture, of a metre, of the origin, and of the temperature's panel.
 const SIZE: [f64; 2] = [960.0, 400.0];
 const METRE: f64 = 125.0;
-const ORIGIN: [f64; 2] = [70.0, 285.0];
+const ORIGIN: [f64; 2] = [70.0, 315.0];
 const PANEL: [f64; 4] = [560.0, 30.0, 330.0, 80.0];
 
 /// Largest change of temperature, K.
@@ -73,7 +73,7 @@ fn head() -> String {
         top = y - 2.2 * METRE,
         bottom = y + 17.0,
         right = width - 30.0,
-        below = y + 60.0,
+        below = y + 62.0,
         rule = y + 38.0,
     )
 }
