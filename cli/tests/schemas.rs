@@ -98,24 +98,26 @@ fn scenes_of_a_wrong_shape_are_not_valid() {
 }
 
 #[track_caller]
-fn assert_summary_is_valid(folder: &Path) {
-    let summary = fs::read_to_string(folder.join("out/summary.json")).unwrap();
-    assert_valid(&validator("summary.schema.json"), &serde_json::from_str(&summary).unwrap());
+fn assert_output_is_valid(folder: &Path) {
+    for name in ["summary", "shapes"] {
+        let text = fs::read_to_string(folder.join(format!("out/{name}.json"))).unwrap();
+        assert_valid(&validator(&format!("{name}.schema.json")), &serde_json::from_str(&text).unwrap());
+    }
 }
 
 #[test]
-fn a_summary_is_valid() {
+fn a_summary_and_shapes_are_valid() {
     let folder = tempfile::tempdir().unwrap();
     let scene = r#"{"schema": "ancf-scene/1", "material": {"E": 2e8, "nu": 0, "rho": 2766.67}, "section": {"height": 0.02, "width": 0.02},
         "points": {"a": [0, 0], "b": [1, 0]}, "rods": [{"name": "rod", "from": "a", "to": "b", "elements": 4}],
         "supports": [{"point": "a", "fix": ["x", "y"]}], "gravity": [0, -9.81], "time": {"end": 0.01},
-        "probes": [{"name": "tip", "point": "b", "of": ["position"]}]}"#;
+        "output": {"shapes": {"interval": 0.005, "points": 3}}, "probes": [{"name": "tip", "point": "b", "of": ["position"]}]}"#;
     fs::write(folder.path().join("scene.json"), scene).unwrap();
     for options in [&["run", "scene.json"][..], &["run", "scene.json", "--estimate"]] {
         let output =
             Command::new(env!("CARGO_BIN_EXE_ancf")).args(options).current_dir(folder.path()).output().unwrap();
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        assert_summary_is_valid(folder.path());
+        assert_output_is_valid(folder.path());
     }
     // Heat within one step: that of a run which fails.
     let failing = scene.replace("\"gravity\"", "\"temperature\": {\"history\": [[0, 0], [0.001, 1e4]]}, \"gravity\"");
@@ -127,5 +129,5 @@ fn a_summary_is_valid() {
         .output()
         .unwrap();
     assert_eq!(output.status.code(), Some(1), "{}", String::from_utf8_lossy(&output.stderr));
-    assert_summary_is_valid(folder.path());
+    assert_output_is_valid(folder.path());
 }
