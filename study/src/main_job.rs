@@ -24,13 +24,13 @@ use crate::paper::scissors::{ELEMENTS, STEP, Structure};
 use crate::paper::section4::{self, A4Row};
 use crate::paper::statement::Statement;
 use crate::paper::tables;
+use crate::paper_page::{self, Story, Titled};
 use crate::picture::Picture;
-use crate::report_page::{self, Story, Titled};
 use crate::stability::{StabilityRow, Verdict};
 use crate::{error_time, stability};
 
 /// Files that the main job writes beside those of its studies.
-const FILES: [&str; 4] = ["report.html", "pendulum.csv", "scissors.csv", "main.json"];
+const FILES: [&str; 4] = ["paper.html", "pendulum.csv", "scissors.csv", "main.json"];
 
 /// The content of `main.json`.
 #[derive(Serialize)]
@@ -166,7 +166,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
         stability,
         seconds: wall_seconds,
     };
-    files.write_text("report.html", report_page::page(&story))?;
+    files.write_text("paper.html", paper_page::page(&story))?;
     files.write_table("pendulum.csv", |file| pendulum::curves(&models).write_csv(file))?;
     files.write_table("scissors.csv", |file| section4::curves(&structure).write_csv(file))?;
     let report = Report {
@@ -185,7 +185,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     };
     files.write_json("main.json", &report)?;
     let written = files.publish()?;
-    let page = out.join("report.html");
+    let page = out.join("paper.html");
     print(&format!("\nPictures and numbers: {}; {} files, {wall_seconds:.0} s\n", page.display(), written.len()))?;
     match failed.first() {
         None => Ok(()),

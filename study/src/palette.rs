@@ -1,4 +1,4 @@
-//! Okabe and Ito's colours, which the colour-blind can distinguish, and the colour that a method has in every picture.
+//! Okabe and Ito's colours, which the colour-blind can distinguish, and the colour that a method has in every picture: one that nothing else has.
 
 use plotters::style::RGBColor;
 
@@ -12,6 +12,8 @@ pub const GREY: RGBColor = RGBColor(150, 150, 150);
 pub const VERMILLION: RGBColor = RGBColor(213, 94, 0);
 pub const PURPLE: RGBColor = RGBColor(204, 121, 167);
 pub const SKY: RGBColor = RGBColor(86, 180, 233);
+/// Beside Okabe and Ito's: dark, so that it differs from all of them without colour, too.
+pub const BROWN: RGBColor = RGBColor(102, 51, 0);
 
 /// The colour of a method.
 pub fn of_method(method: Method) -> RGBColor {
@@ -19,11 +21,11 @@ pub fn of_method(method: Method) -> RGBColor {
         Method::GeneralizedAlpha => ORANGE,
         Method::EnergyMomentum => BLUE,
         Method::Explicit => VERMILLION,
-        Method::Gauss => GREY,
+        Method::Gauss => GREEN,
         Method::GaussAdaptive => PURPLE,
         Method::Nystrom => SKY,
-        Method::NystromAdaptive => BLACK,
+        Method::NystromAdaptive => BROWN,
         // Statics, and what is to come.
-        _ => GREEN,
+        _ => BLACK,
     }
 }

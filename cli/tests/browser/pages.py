@@ -187,6 +187,22 @@ def check_static(browser: Browser, folder: Path) -> None:
     check_quiet(browser, folder / "report.html")
 
 
+def check_main_page(browser: Browser, page: Path) -> None:
+    """The main job's page: statements with numbers, their links, pictures with captions; legible on a phone."""
+    browser.open(page)
+    counts = browser.run("""[document.querySelectorAll('section.statement').length, document.querySelectorAll('figure svg').length,
+        [...document.querySelectorAll('figure')].filter((figure) => figure.querySelector('figcaption')?.textContent.length > 20).length,
+        [...document.querySelectorAll('a[href^="#"]')].filter((link) => !document.getElementById(link.hash.slice(1))).length]""")
+    statements, pictures, captions, dead = counts
+    assert statements == 20 and pictures == captions == 10 and dead == 0, f"{page.name}: {counts}"
+    browser.screen(360, 740)
+    wide = browser.run("document.documentElement.scrollWidth")
+    assert wide <= 360, f"{page.name}: {wide} pixels wide on a phone"
+    browser.screen(1200, 900)
+    check_quiet(browser, page)
+    print(f"{page.name}: {statements} statements, {pictures} pictures, {page.stat().st_size / 1e6:.2f} MB")
+
+
 def check_that_faults_are_found(browser: Browser, page: Path, folder: Path) -> None:
     """A page with a fault, and one with a request, do not pass."""
     text = page.read_text(encoding="utf-8")
@@ -208,6 +224,7 @@ def check_that_faults_are_found(browser: Browser, page: Path, folder: Path) -> N
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program", help="the program ancf")
+    parser.add_argument("--main", type=Path, help="paper.html of the main job, to be checked as well")
     parser.add_argument("--pictures", type=Path, help="folder for pictures of the pages")
     arguments = parser.parse_args()
     path = browser_path()
@@ -220,6 +237,8 @@ def main() -> None:
         for scene in SCENES:
             check_page(browser, scene, run(arguments.program, out / scene, scene))
         check_static(browser, run(arguments.program, out / STATIC, STATIC))
+        if arguments.main:
+            check_main_page(browser, arguments.main.resolve())
         first = out / next(iter(SCENES)) / "report.html"
         check_that_faults_are_found(browser, first, out)
         if arguments.pictures:

@@ -9,7 +9,7 @@ use super::study::Swept;
 use crate::axis::{decades, power_label, ticks};
 use crate::canvas::{self, Area, Drawn, Size};
 use crate::error::Result;
-use crate::palette::{GREEN, GREY, of_method};
+use crate::palette::{BLACK, GREY, of_method};
 use ancf::internals::model::Words;
 use ancf::model::Method;
 
@@ -25,7 +25,7 @@ const METHODS: [Method; 7] = [
 ];
 
 /// Colour of variants without a method.
-const OTHER: RGBColor = GREEN;
+const OTHER: RGBColor = BLACK;
 
 /// Errors below are drawn here: a logarithmic axis has no zero.
 const LEAST: f64 = 1e-18;

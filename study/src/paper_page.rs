@@ -1,4 +1,4 @@
-//! `report.html`: each statement of the paper beside its picture and its numbers.
+//! `paper.html`: each statement of the paper beside its picture and its numbers.
 
 use crate::error_time::ErrorTimeStudy;
 use crate::first_screen::{self, Check};
