@@ -1,4 +1,7 @@
-"""Runs `ancf conform` on each mistake, convention and bad habit of `element.cpp`, and counts what it recognises."""
+"""Runs `ancf conform` on each mistake, convention and bad habit of `element.cpp`, and counts what it recognises.
+
+Exit code 1 where less is recognised than is asked of the kit (BARS), or a right equation is accused.
+"""
 
 import argparse
 import json
@@ -174,6 +177,26 @@ def verdict_of_box(report, mistake, asked_for):
     right = any(is_root(ancestor, mistake) for ancestor in ancestors)
     accused = [ancestor for ancestor in ancestors if kinds_of(ancestor)]
     return right, not right and bool(accused or kinds_of(first)), said
+
+
+# What is asked of the kit: least part of the programs, by the beginning of a set's title and by what is counted.
+BARS = (
+    ("double", "detected", 1.0), ("double", "equation", 0.98), ("double", "kind", 0.85),
+    ("float", "equation", 0.9), ("black box", "right", 0.7),
+    ("conventions", "right", 1.0), ("conventions", "named", 1.0), ("precision", "right", 1.0), ("given", "right", 1.0),
+    ("memory", "recognised", 1.0), ("pairs", "both named", 0.9), ("talk", "as it should be", 1.0),
+)
+
+
+def missed(counted):
+    """The bars that are not reached, and wrong accusations."""
+    faults = [f"{title}: {number} wrong accusations" for title, what, number, _ in counted if what == "wrong accusation" and number]
+    for begin, what, least in BARS:
+        its = [(number, total) for title, counts, number, total in counted if title.startswith(begin) and counts == what]
+        number, total = (sum(column) for column in zip(*its)) if its else (0, 0)
+        if number < least * total:
+            faults.append(f"{begin}: {what} in {number} of {total}, less than {least:.0%}")
+    return faults
 
 
 def written(text, counted):
@@ -412,6 +435,10 @@ def main():
             file.write_text(written(file.read_text(), runner.counts))
         if arguments.json:
             Path(arguments.json).write_text(json.dumps(runner.results, indent=1) + "\n")
+        faults = missed(runner.counts)
+    for fault in faults:
+        print(f"FAULT: {fault}")
+    sys.exit(1 if faults else 0)
 
 
 if __name__ == "__main__":
