@@ -48,13 +48,13 @@ pub enum Error {
         allowed: String,
     },
     /// No motion of the fixtures has a name.
-    #[error("--scene {id}: there is no such motion{nearest}; allowed are{known}")]
+    #[error("--scene {id}: there is no such motion{nearest}; allowed: {known}")]
     NoMotion {
         /// Name that was given.
         id: String,
         /// Nearest known name as a phrase; empty if none is near.
         nearest: String,
-        /// All names, a line each, with what they are.
+        /// All names.
         known: String,
     },
     /// Numbers of a state lead out of the range of f64.

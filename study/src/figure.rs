@@ -56,6 +56,7 @@ pub const WIDTH: u32 = 960;
 /// Height of a panel; in pictures of many the lesser one.
 const PANEL_HEIGHTS: [u32; 2] = [320, 200];
 const MANY: usize = 3;
+const LEGEND_HEIGHT: u32 = 20;
 pub const TITLE_HEIGHT: u32 = 44;
 
 /// Parts of a pixel.
@@ -75,8 +76,13 @@ pub fn svg(title: &str, panels: &[Panel]) -> Result<String> {
             // One legend for all panels with the same curves.
             let differs = legend_entries(panel) != legend_entries(&panels[0]);
             let last = n + 1 == panels.len();
-            let legend = (n == 0 || differs).then_some(height);
-            draw_panel(area, panel, times.clone(), legend, last)?;
+            let mut area = area.clone();
+            if n == 0 || differs {
+                let (legend, rest) = area.split_vertically(LEGEND_HEIGHT * FINE);
+                draw_legend(&legend, panel)?;
+                area = rest;
+            }
+            draw_panel(&area, panel, times.clone(), last)?;
         }
         Ok(())
     })
@@ -86,8 +92,8 @@ fn legend_entries<'a>(panel: &'a Panel<'a>) -> impl PartialEq + 'a {
     panel.curves.iter().map(|curve| (curve.name, curve.stroke)).collect::<Vec<_>>()
 }
 
-/// Draws a panel: with a legend, if its height is given, and the label of the time's axis, if it is the last one.
-fn draw_panel(area: &Area, panel: &Panel, times: Range<f64>, legend: Option<u32>, last: bool) -> Drawn {
+/// Draws a panel, with the label of the time's axis if it is the last one.
+fn draw_panel(area: &Area, panel: &Panel, times: Range<f64>, last: bool) -> Drawn {
     let place = |value: f64| if panel.log { value.log10() } else { value };
     let placed = |points: &[(f64, f64)]| -> Vec<(f64, f64)> {
         let shown = points.iter().map(|(t, value)| (*t, place(*value)));
@@ -113,72 +119,47 @@ fn draw_panel(area: &Area, panel: &Panel, times: Range<f64>, legend: Option<u32>
             true if value.fract() == 0.0 => format!("{}", 10f64.powf(*value)),
             true => String::new(),
             // Adding 0 turns −0 into 0.
-            false => format!("{}", (value * 1e6).round() / 1e6 + 0.0),
+            false => format!("{}", (value * 1e6).round() / 1e6 + 0.0).replace('-', "−"),
         })
         .draw()?;
     for curve in &panel.curves {
-        let colour = curve.colour;
-        let style = match curve.stroke {
-            Stroke::Broad => colour.mix(0.35).stroke_width(4 * FINE),
-            Stroke::Line => colour.stroke_width(2 * FINE),
-            Stroke::Band => colour.mix(0.25).filled(),
-        };
         let points = placed(&curve.points);
-        if curve.stroke == Stroke::Band {
-            let (width, half) = (20 * FINE as i32, 4 * FINE as i32);
-            let legend = move |(x, y)| Rectangle::new([(x, y - half), (x + width, y + half)], style);
-            chart.draw_series([Polygon::new(points, style)])?.label(curve.name).legend(legend);
-        } else {
-            let legend = move |(x, y)| PathElement::new([(x, y), (x + 20 * FINE as i32, y)], style);
-            chart.draw_series(LineSeries::new(envelope(&points), style))?.label(curve.name).legend(legend);
-        }
-    }
-    if let Some(height) = legend {
-        let shown: Vec<Vec<(f64, f64)>> = panel.curves.iter().map(|curve| placed(&curve.points)).collect();
-        chart
-            .configure_series_labels()
-            .position(emptiest_corner(panel, &shown.concat(), &times, &values, height))
-            .background_style(WHITE.mix(0.8))
-            .margin(10 * FINE)
-            .legend_area_size(30 * FINE)
-            .label_font(("sans-serif", 14 * FINE))
-            .draw()?;
+        match curve.stroke {
+            Stroke::Band => chart.draw_series([Polygon::new(points, style(curve))])?,
+            _ => chart.draw_series(LineSeries::new(envelope(&points), style(curve)))?,
+        };
     }
     Ok(())
 }
 
-/// The corner in which a legend hides the fewest points.
-fn emptiest_corner(
-    panel: &Panel,
-    points: &[(f64, f64)],
-    times: &Range<f64>,
-    values: &Range<f64>,
-    panel_height: u32,
-) -> SeriesLabelPosition {
-    /// Pixels of a legend beside and above its lines, of a line, of a character, and of the panel's axes.
-    const FRAME: (f64, f64) = (50.0, 20.0);
-    const LINE: f64 = 20.0;
-    const CHARACTER: f64 = 8.0;
-    const AXES: (f64, f64) = (100.0, 60.0);
-    let longest = panel.curves.iter().map(|curve| curve.name.chars().count()).max().unwrap_or(0) as f64;
-    let width = (FRAME.0 + CHARACTER * longest) / (f64::from(WIDTH) - AXES.0);
-    let height = (FRAME.1 + LINE * panel.curves.len() as f64) / (f64::from(panel_height) - AXES.1);
-    let place = |at: f64, range: &Range<f64>| (at - range.start) / (range.end - range.start);
-    let hidden = |right: bool, upper: bool| {
-        let covered = |(t, v): &&(f64, f64)| {
-            let (x, y) = (place(*t, times), place(*v, values));
-            (if right { x > 1.0 - width } else { x < width }) && (if upper { y > 1.0 - height } else { y < height })
-        };
-        points.iter().filter(covered).count()
-    };
-    let corners = [
-        (hidden(false, true), SeriesLabelPosition::UpperLeft),
-        (hidden(false, false), SeriesLabelPosition::LowerLeft),
-        (hidden(true, true), SeriesLabelPosition::UpperRight),
-        (hidden(true, false), SeriesLabelPosition::LowerRight),
-    ];
-    let [first, ..] = corners.clone();
-    corners.into_iter().min_by_key(|(hidden, _)| *hidden).unwrap_or(first).1
+/// The curves' names in one line, each after its colour.
+fn draw_legend(area: &Area, panel: &Panel) -> Drawn {
+    const LEFT: i32 = 90;
+    const SAMPLE: i32 = 22;
+    const CHARACTER: f64 = 7.3;
+    let fine = FINE as i32;
+    let mut x = LEFT;
+    for curve in &panel.curves {
+        let [from, to] = [x * fine, (x + SAMPLE) * fine];
+        match curve.stroke {
+            Stroke::Band => area.draw(&Rectangle::new([(from, 7 * fine), (to, 17 * fine)], style(curve)))?,
+            _ => area.draw(&PathElement::new([(from, 12 * fine), (to, 12 * fine)], style(curve)))?,
+        }
+        let text = ("sans-serif", 14 * FINE).into_font();
+        area.draw(&Text::new(curve.name.to_string(), (to + 5 * fine, 5 * fine), text))?;
+        x += SAMPLE + 25 + (CHARACTER * curve.name.chars().count() as f64) as i32;
+    }
+    Ok(())
+}
+
+/// How a curve is drawn.
+fn style(curve: &Curve) -> ShapeStyle {
+    let colour = curve.colour;
+    match curve.stroke {
+        Stroke::Broad => colour.mix(0.35).stroke_width(4 * FINE),
+        Stroke::Line => colour.stroke_width(2 * FINE),
+        Stroke::Band => colour.mix(0.25).filled(),
+    }
 }
 
 /// The points; or, of more than the picture can resolve, the least and the largest value of each piece of time, in their order, so that

@@ -11,7 +11,7 @@ pub struct Html(String);
 
 impl Html {
     fn element(&mut self, tag: &str, text: &str) {
-        self.0 += &format!("<{tag}>{}</{tag}>\n", escape(text));
+        self.0 += &format!("<{tag}>{}</{tag}>\n", prose(text));
     }
 
     /// Adds a heading of the second level.
@@ -54,12 +54,11 @@ impl Html {
     /// Adds a statement of the paper with its verdict, what was measured, and the numbers.
     pub fn statement(&mut self, id: &str, statement: &Statement) {
         let Statement { text, measure, numbers, verdict, standing, .. } = statement;
-        self.0 += &format!("<section id=\"{id}\" class=\"statement\"><h4>“{}”</h4>\n", escape(text));
-        let verdict = verdict.lines().map(escape).collect::<Vec<_>>().join("<br>");
-        self.0 += &format!("<p class=\"{}\">{verdict}</p>\n", class(*standing));
+        let verdict = verdict.lines().map(prose).collect::<Vec<_>>().join("<br>");
+        self.0 += &format!("<section id=\"{id}\" class=\"statement\"><h4>{}</h4>\n", prose(text));
         self.element("p", &format!("Measured: {measure}."));
         numbers.iter().for_each(|table| self.table(table));
-        self.0 += "</section>\n";
+        self.0 += &format!("<p><b class=\"{}\">{standing}</b><br>{verdict}</p></section>\n", class(*standing));
     }
 
     /// Adds a table.
@@ -74,7 +73,7 @@ impl Html {
 
     /// Adds a picture with a caption.
     pub fn figure(&mut self, svg: &str, caption: &str) {
-        self.0 += &format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", escape(caption));
+        self.0 += &format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", prose(caption));
     }
 
     /// The whole page.
@@ -86,6 +85,18 @@ impl Html {
              <style>{STYLE}</style>\n</head>\n<body>\n<h1>{title}</h1>\n{body}</body>\n</html>\n"
         )
     }
+}
+
+/// Escaped text; what stands between backticks is code.
+fn prose(text: &str) -> String {
+    let mut parts = escape(text).split('`').map(String::from).collect::<Vec<_>>();
+    // An odd one is a backtick.
+    if parts.len() % 2 == 0 {
+        let last = parts.pop().unwrap_or_default();
+        parts.last_mut().into_iter().for_each(|part| *part += &format!("`{last}"));
+    }
+    let mark = |(n, part): (usize, String)| if n % 2 == 1 { format!("<code>{part}</code>") } else { part };
+    parts.into_iter().enumerate().map(mark).collect()
 }
 
 /// Colours are not the only sign: each verdict is written, too.
@@ -106,13 +117,19 @@ a{color:inherit}table{border-collapse:collapse;font-size:.9rem;font-variant-nume
 th,td{padding:.2rem .7rem;text-align:left;border-bottom:1px solid var(--line);vertical-align:top}\
 th{border-bottom:2px solid var(--faint)}figure{margin:1rem 0;background:#fff;color:#222;padding:.5rem}\
 figcaption{font-size:.85rem;color:#555}svg{max-width:100%;height:auto}.wide{overflow-x:auto}\
-.statement{border-left:3px solid var(--line);padding-left:1rem;margin:1.5rem 0}h4{margin:.2rem 0;font-weight:600}\
+table+table{margin-top:.6rem}.wide{margin:.6rem 0}.statement{border-left:3px solid var(--line);padding-left:1rem;margin:1.5rem 0}h4{margin:.2rem 0;font-weight:600}\
 .holds{color:var(--holds)}.in-part{color:var(--part)}.does-not{color:var(--not)}.undecided{color:var(--open)}";
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::table::cells;
+
+    #[test]
+    fn code_is_marked() {
+        assert_eq!(prose("run `a<b` or ` alone"), "run <code>a&lt;b</code> or ` alone");
+        assert_eq!(prose("plain"), "plain");
+    }
 
     #[test]
     fn text_is_escaped() {

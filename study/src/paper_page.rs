@@ -42,7 +42,7 @@ const PENDULUM: [Scene; 3] = [
     Scene {
         title: "The whole motion",
         text: "The pendulum of Table 1 falls from the horizontal; heat of 200 K is there from t = 0. A plane solid stands in for the paper's \
-               ANSYS curve. Its uncertainty is drawn as bars.",
+               ANSYS curve.",
         pictures: &["figure3.svg"],
         statements: 0..3,
     },
@@ -86,7 +86,9 @@ pub fn page(story: &Story) -> String {
     html.section("checked", "What was checked");
     html.table(&first_screen::checks(checks));
     html.section("verdicts", "What the paper says, measured");
+    html.subheading("Of the pendulum, Section 3");
     html.verdicts(pendulum.iter().enumerate().map(|(n, statement)| (id("pendulum", n), statement)));
+    html.subheading("Of the structure, Section 4, under eight readings of figures that its text does not have");
     html.verdicts(structure.iter().enumerate().map(|(n, statement)| (id("structure", n), statement)));
     html.section("section-3", "Section 3: the heated pendulum");
     PENDULUM.iter().for_each(|scene| story.scene(&mut html, "pendulum", pendulum, scene));

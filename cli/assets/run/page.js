@@ -73,12 +73,15 @@ function tables() {
     }
     if (accuracy.amplification) element("p", `A deviation of 10⁻⁸ of the structure's size grows by a factor of ${text(accuracy.amplification, 2)}.`, errors);
     const words = { sure: (digits) => `${digits} digit${digits === 1 ? "" : "s"}`, unsure: () => "no digit is sure", none: () => "does not converge" };
+    const last = Object.fromEntries([...data.charts.flatMap((chart) => chart.lines.map((line) => [line.column, line.values.at(-1)])), ...ends]);
     const row = (column) => {
-      const total = column.time + column.space;
-      const digits = total > 0 ? Math.min(15, Math.max(0, Math.floor(Math.log10(column.largest / total)))) : 15;
-      return [[column.column], [text(column.largest, 3), "number"], [text(column.time, 2), "number"], [text(column.space, 2), "number"], [words[column.convergence](digits)]];
+      const [total, end] = [column.time + column.space, last[column.column] ?? NaN];
+      // Of the last value, as the terminal counts them.
+      const digits = total > 0 ? Math.min(15, Math.max(0, Math.floor(Math.log10(Math.abs(end) / total)) || 0)) : 15;
+      const sure = digits > 0 || column.convergence !== "sure" ? words[column.convergence](digits) : "no digit is sure";
+      return [[column.column], [text(end, 3), "number"], [text(column.time, 2), "number"], [text(column.space, 2), "number"], [units[column.column] ?? ""], [sure]];
     };
-    table(errors, [["column"], ["largest", "number"], ["± step", "number"], ["± mesh", "number"], ["sure"]], accuracy.columns.map(row));
+    table(errors, [["column"], ["at the end", "number"], ["± step", "number"], ["± mesh", "number"], ["unit"], ["sure"]], accuracy.columns.map(row));
   } else {
     const hint = element("p", "Not estimated: ", errors);
     hint.append(element("code", "ancf run SCENE --estimate"), " runs the scene again with finer steps and elements, and tells how many digits of each column are sure.");

@@ -12,14 +12,14 @@ use crate::memory::{ChangedAnswer, EarlierQuestion, Memory};
 impl PrecisionResult {
     /// The precision in a line.
     pub(super) fn line(&self, marks: Marks) -> String {
-        let attained = |digits: Option<f64>| digits.map_or("no".into(), |digits| format!("{digits:.1}"));
         let by = if self.by_errors { ", as the size of its errors shows" } else { "" };
-        let mut sentences = vec![format!(
-            "{}{by}: right answers have at least {} correct digits, {} in the median.",
-            marks.strong(&capitalised(&self.kind)),
-            attained(self.least_digits),
-            attained(self.median_digits)
-        )];
+        let attained = match (self.least_digits, self.median_digits) {
+            (Some(least), Some(median)) => {
+                format!("right answers have at least {least:.1} correct digits, {median:.1} in the median")
+            }
+            _ => "no answer is right".into(),
+        };
+        let mut sentences = vec![format!("{}{by}: {attained}.", marks.strong(&capitalised(&self.kind)))];
         for OtherPrecision { kind, quantities } in &self.others {
             sentences.push(format!("{}: {}.", capitalised(kind), listed(&codes(quantities, marks))));
         }

@@ -69,7 +69,7 @@ pub fn reference(id: &str) -> Result<Reference> {
         Some(found) => Ok(found.clone()),
         None => {
             let like = nearest(id, all.iter().map(|reference| reference.id.as_str()));
-            let known: String = all.iter().map(|one| format!("\n  {:20} {}", one.id, one.what)).collect();
+            let known = all.iter().map(|one| one.id.as_str()).collect::<Vec<_>>().join(", ");
             let nearest = like.map(|like| format!("; nearest: `{like}`")).unwrap_or_default();
             Err(Error::NoMotion { id: id.into(), nearest, known })
         }

@@ -57,15 +57,19 @@ pub fn svg(run: &ScissorsRun, history: &[[f64; 2]]) -> String {
     svg + "</svg>\n"
 }
 
+/// Styles of this picture alone, also where a page has others: for light pages and dark ones.
+const STYLE: &str = "#deployment text{font:15px system-ui,sans-serif;fill:#444}#deployment .line{stroke:#888;fill:none}\
+#deployment .pin{fill:#fff;stroke:#444;stroke-width:1.5}#deployment .solid{fill:#444}@media(prefers-color-scheme:dark){\
+#deployment text{fill:#ccc}#deployment .pin{fill:#222;stroke:#ccc}#deployment .solid{fill:#ccc}}";
+
 /// Size, colours for light and dark pages, ground and support.
 fn head() -> String {
     let [width, height] = SIZE;
     let [x, y] = ORIGIN;
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" role=\"img\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" id=\"deployment\" role=\"img\" \
          aria-label=\"Three scissors of six rods deploy under heat and cold\">\n\
-         <style>text{{font:15px system-ui,sans-serif;fill:#444}}.line{{stroke:#888;fill:none}}.pin{{fill:#fff;stroke:#444;stroke-width:1.5}}\
-         .solid{{fill:#444}}@media(prefers-color-scheme:dark){{text{{fill:#ccc}}.pin{{fill:#222;stroke:#ccc}}.solid{{fill:#ccc}}}}</style>\n\
+         <style>{STYLE}</style>\n\
          <path class=\"line\" d=\"M{x0} {top}V{bottom}M{x0} {bottom}H{right}\" stroke-dasharray=\"3 5\"/>\n\
          <path class=\"solid\" d=\"M{x} {y}l-10 17h20z\"/>\n\
          <text x=\"{x}\" y=\"{below}\">1 m</text><path class=\"line\" stroke-width=\"2\" d=\"M{x} {rule}h{METRE}\"/>\n",

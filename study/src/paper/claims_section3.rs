@@ -131,7 +131,7 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.01, 0.02, 0.05],
     },
     Claim {
-        brief: "heat changes both alike",
+        brief: "heat changes 2D as it changes ANSYS",
         statement: "The difference that heat makes is approximately that of ANSYS in the proposed model.",
         measure: "largest distance of 2D from the solid over the solid's displacement by heat: below",
         value: |start, window| start.share(start.plane, window),
@@ -139,7 +139,7 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.05, 0.1, 0.2],
     },
     Claim {
-        brief: "1D's gap is huge",
+        brief: "1D has a huge gap",
         statement: "The 1D model has a huge gap with ANSYS.",
         measure: "largest distance of 1D, Euler–Bernoulli, from the solid over the solid's displacement by heat: above",
         value: |start, window| start.share(start.euler_bernoulli, window),
@@ -147,15 +147,15 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.1, 0.25, 0.5],
     },
     Claim {
-        brief: "so is that of 2D's element with 1D heat",
-        statement: "… also if the paper's own element is heated along its axis only.",
+        brief: "huge gap of 2D's element with 1D heat",
+        statement: "The paper's own element, heated along its axis only, has a huge gap, too (not in the paper).",
         measure: "largest distance of 1D, the paper's element, from the solid over the solid's displacement by heat: above",
         value: |start, window| start.share(start.axis, window),
         side: Side::Above,
         limits: &[0.1, 0.25, 0.5],
     },
     Claim {
-        brief: "1D's gap is relatively large",
+        brief: "1D has a relatively large gap",
         statement: "The 1D model has a relatively large gap (conclusion 2).",
         measure: "largest distance from the solid of 1D, Euler–Bernoulli, over that of 2D: above",
         value: |start, window| start.times(start.euler_bernoulli, start.plane, window),
@@ -163,8 +163,8 @@ const CLAIMS: [Claim; 9] = [
         limits: &[1.5, 2.0, 5.0],
     },
     Claim {
-        brief: "and that of 2D's element with 1D heat",
-        statement: "… also if the paper's own element is heated along its axis only.",
+        brief: "relatively large gap of 2D's element with 1D heat",
+        statement: "The paper's own element, heated along its axis only, has a relatively large gap, too (not in the paper).",
         measure: "largest distance from the solid of 1D, the paper's element, over that of 2D: above",
         value: |start, window| start.times(start.axis, start.plane, window),
         side: Side::Above,
@@ -179,8 +179,8 @@ const CLAIMS: [Claim; 9] = [
         limits: &[0.0],
     },
     Claim {
-        brief: "and than itself with 1D heat",
-        statement: "… also if the paper's own element is heated along its axis only.",
+        brief: "2D is more precise than its element with 1D heat",
+        statement: "The proposed model is more precise than its own element heated along the axis only (not in the paper).",
         measure: "largest distance from the solid of 1D, the paper's element, minus that of 2D, m: above",
         value: |start, window| start.farther(start.axis, start.plane, window),
         side: Side::Above,

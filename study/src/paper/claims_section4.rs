@@ -91,7 +91,7 @@ const CLAIMS: [Claim; 10] = [
         },
     },
     Claim {
-        brief: "transverse strain takes part in them",
+        brief: "transverse strain takes part in the vibrations",
         statement: "Transverse thermal strain contributes to them, in addition to axial strain.",
         measure: "r.m.s. of 2D minus 1D over that of 2D minus flexible, 2.7 … 3 s, per rod: above 0.1",
         find: |family| {
@@ -163,7 +163,7 @@ const CLAIMS: [Claim; 10] = [
         },
     },
     Claim {
-        brief: "it vibrates more after the temperature's corners",
+        brief: "a4 vibrates more after the temperature's corners",
         statement: "The acceleration of a4 vibrates more after 0.25, 1.25, 1.75 and 2.75 s.",
         measure: "r.m.s. vibration of 2D in the 0.1 s after over that in the 0.1 s before: above 1.2",
         find: |family| {
@@ -176,7 +176,7 @@ const CLAIMS: [Claim; 10] = [
         },
     },
     Claim {
-        brief: "additional vibrations at any point",
+        brief: "heat brings vibrations to any point",
         statement: "Heat brings additional vibrations to the acceleration of any point.",
         measure: "r.m.s. vibration of 2D over that of flexible at a1 … a4, b2 … b4, m1 … m3: above 1",
         find: |family| {

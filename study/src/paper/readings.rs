@@ -71,7 +71,11 @@ impl Readings {
             _ if all.clone().any(|(_, standing)| somewhere(standing)) => (parts.join("\n"), Standing::InPart),
             _ => (parts.join("\n"), Standing::Undecided),
         };
-        Statement { verdict: format!("{verdict}\nas assumed: {}", statement.verdict), standing, ..statement }
+        Statement {
+            verdict: format!("{verdict}\nThese numbers, as assumed: {}", statement.verdict),
+            standing,
+            ..statement
+        }
     }
 
     /// Whether the statements under the assumed reading are as they were when the readings were kept.

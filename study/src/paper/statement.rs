@@ -104,7 +104,7 @@ fn measured(value: f64, uncertainty: f64) -> String {
     } else if !(1e-2..1e4).contains(&size) {
         return format!("{value:.2e} ± {uncertainty:.0e}");
     }
-    let decimals = (1.0 - uncertainty.log10().floor()).clamp(0.0, 3.0) as usize;
+    let decimals = (-uncertainty.log10().floor()).clamp(0.0, 6.0) as usize;
     format!("{value:.decimals$} ± {uncertainty:.decimals$}")
 }
 
@@ -114,8 +114,9 @@ mod tests {
 
     #[test]
     fn digits_are_those_that_the_uncertainty_leaves() {
-        assert_eq!(measured(10.234, 7.1), "10.2 ± 7.1");
+        assert_eq!(measured(10.234, 7.1), "10 ± 7");
         assert_eq!(measured(0.1725, 0.0013), "0.172 ± 0.001");
+        assert_eq!(measured(0.010012, 3e-5), "0.01001 ± 0.00003");
         assert_eq!(measured(1.77e-5, 6e-6), "1.77e-5 ± 6e-6");
         assert_eq!(measured(8.97, f64::INFINITY), "8.97e0, uncertain");
     }
