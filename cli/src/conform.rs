@@ -253,8 +253,15 @@ fn read_answers(suite: &Suite, paths: &[PathBuf]) -> Result<Recorded> {
     Ok(recorded)
 }
 
-/// Writes lines to a file, whole or not at all.
+/// Writes lines to a file, whole or not at all; to a device or a pipe as they are, for nothing may be put in its place.
 fn write_lines(path: &Path, lines: &[String], inputs: &[&Path]) -> Result<Vec<PathBuf>> {
+    // A link stays one.
+    let path = &path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+    if path.metadata().is_ok_and(|known| !known.is_file() && !known.is_dir()) {
+        let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
+        fs::write(path, text).map_err(|source| unwritable(path, source))?;
+        return Ok(vec![path.clone()]);
+    }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let mut files = Files::in_folder(folder, [name.clone()], inputs)?;

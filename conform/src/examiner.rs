@@ -14,6 +14,7 @@ use crate::given::{scaled, unread};
 use crate::graph::{GRAPH, Node};
 use crate::lost_digits::LostDigits;
 use crate::memory::Repetition;
+use crate::own_digits;
 use crate::precision::Precision;
 use crate::protocol::{Answer, Asked, Hello, announcement};
 use crate::selection::Selection;
@@ -60,6 +61,9 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let found = convention::infer(suite, &declared, answers, &mut |quantity, n, conventions| {
         examiner.ask(quantity, n, &[], conventions)
     });
+    let of_own_digits = own_digits::widened(suite, &precision, &found.conventions);
+    let suite = of_own_digits.as_ref().unwrap_or(suite);
+    examiner.suite = suite;
     examiner.conventions = found.conventions;
     let invalid = examiner.invalid();
     let answers = found.answers;

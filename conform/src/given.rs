@@ -23,7 +23,8 @@ pub type Ask<'a> = dyn FnMut(usize, Option<&str>) -> Result<Answer, Fault> + 'a;
 
 /// Inputs of a quantity that do not change its answer when they are altered: the program does not read them.
 ///
-/// An input that is zero wherever it could be altered counts as unread, too: nothing shows that it is read.
+/// Answers that are no numbers show nothing: what they are made of counts as read. An input that is zero wherever it could be altered
+/// counts as unread: nothing shows that it is read.
 pub fn unread(suite: &Suite, node: &Node, cases: &[CaseVerdict], ask: &mut Ask) -> Vec<&'static str> {
     let is_read = |input: &&&'static str| !is_read(suite, node, input, cases, ask);
     node.given.iter().filter(is_read).copied().collect()
@@ -31,6 +32,10 @@ pub fn unread(suite: &Suite, node: &Node, cases: &[CaseVerdict], ask: &mut Ask) 
 
 fn is_read(suite: &Suite, node: &Node, input: &str, cases: &[CaseVerdict], ask: &mut Ask) -> bool {
     let is_zero = |value: &Reference| value.numbers.iter().all(|number| *number == 0.0);
+    // Without numbers nothing can change.
+    if cases.iter().all(|(_, verdict)| verdict.digits().is_none()) {
+        return true;
+    }
     let mut usable: Vec<(usize, &Case, &Reference)> = (cases.iter())
         .filter(|(_, verdict)| verdict.digits().is_some())
         .filter_map(|(n, _)| Some((*n, suite.cases.get(*n)?)))

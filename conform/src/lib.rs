@@ -25,7 +25,7 @@
 //! ```
 
 // Layers, from top to bottom; a module imports only from modules further down this list:
-// schema, report, examiner, standing, given, examination, diagnosis, blame, memory, convention, lost_digits, precision, answers, formula;
+// schema, report, examiner, standing, given, examination, diagnosis, blame, memory, own_digits, convention, lost_digits, precision, answers, formula;
 // recorded, program, subject, process, lines; protocol, declaration, spelling, trouble, quotation; selection, equations_text,
 // state_file; verdict, suite, numbers, graph, error. `trajectory` stands beside them: of this crate it imports error alone.
 mod answers;
@@ -44,6 +44,7 @@ mod lines;
 mod lost_digits;
 mod memory;
 mod numbers;
+mod own_digits;
 mod precision;
 mod process;
 mod program;

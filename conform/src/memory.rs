@@ -310,7 +310,8 @@ fn difference(
         Ok(Answer::Error(message)) => format!("error: {message}"),
         Err(fault) => fault.to_string(),
     };
-    if first == second {
+    // A question that was not asked has no answer to compare.
+    if first == second || [first, second].iter().any(|answer| matches!(answer, Err(Fault::NotAsked(_)))) {
         return None;
     }
     let (Some(one), Some(two)) = (numbers(first, reference), numbers(second, reference)) else {

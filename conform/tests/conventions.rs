@@ -65,6 +65,7 @@ struct Mine {
     /// Whether a state without a straight e0 of inclination θ is refused.
     validates: bool,
     single: bool,
+    six_digits: bool,
     quantities: Option<Vec<&'static str>>,
     mistake: Option<MistakeOf>,
     declared: Value,
@@ -90,6 +91,7 @@ impl Default for Mine {
             reads_own: false,
             validates: true,
             single: false,
+            six_digits: false,
             quantities: None,
             mistake: None,
             declared: json!({}),
@@ -217,9 +219,13 @@ impl Mine {
             [rows, columns] => (rows, columns),
             _ => panic!("{quantity}"),
         };
-        let single = |x: f64| if self.single { f64::from(x as f32) } else { x };
+        let printed = |x: f64| match (self.single, self.six_digits) {
+            (true, _) => f64::from(x as f32),
+            (_, true) => format!("{x:.5e}").parse().unwrap(),
+            _ => x,
+        };
         let at_a_point = |value: &[f64]| {
-            let own = self.own(quantity, &DMatrix::from_row_slice(rows, columns, value), l, h).map(single);
+            let own = self.own(quantity, &DMatrix::from_row_slice(rows, columns, value), l, h).map(printed);
             let list = |numbers: Vec<f64>| json!(numbers);
             match (lengths.len(), self.flat, self.by_columns) {
                 (0, ..) => json!(own[(0, 0)]),
@@ -566,6 +572,22 @@ fn single_precision_hides_no_convention() {
             if names(&report) != expected || !few.is_empty() {
                 let found = names(&report);
                 complaints.push(Some(format!("{what}: {found:?}, expected {expected:?}; few digits in {few:?}")));
+            }
+        }
+    }
+    assert_none(complaints);
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "half a minute; in release mode")]
+fn six_digits_of_the_programs_own_numbers_are_enough() {
+    let mut complaints = Vec::new();
+    for (what, mine, expected) in programs() {
+        for (mine, expected) in [(mine.clone(), expected)].into_iter().chain(with_own_reading(&mine)) {
+            let report = Mine { six_digits: true, ..mine }.report();
+            if names(&report) != expected || !report.passes {
+                let (found, wrong) = (names(&report), failing(&report));
+                complaints.push(Some(format!("{what}: {found:?}, expected {expected:?}; wrong: {wrong:?}")));
             }
         }
     }

@@ -1,9 +1,12 @@
 //! Order of the nodal vectors.
 
 /// Orders that have a name: of the element's vectors, index in the program's e → index in (4).
-const NAMED: [(&str, [usize; 7]); 7] = [
+const NAMED: [(&str, [usize; 7]); 10] = [
     ("positions first, then slopes", [0, 2, 5, 1, 3, 4, 6]),
     ("positions first, then r_x, then r_y", [0, 2, 5, 3, 1, 4, 6]),
+    ("positions first, then r_y, then r_x", [0, 2, 5, 1, 4, 6, 3]),
+    ("positions first, those of the ends before, then r_y, then r_x", [0, 5, 2, 1, 4, 6, 3]),
+    ("positions of the ends first, then r_y alike, then r_x", [0, 5, 2, 1, 6, 4, 3]),
     ("the ends first: i, k, j", [0, 1, 5, 6, 2, 3, 4]),
     ("positions of the ends first, then slopes", [0, 5, 2, 1, 6, 3, 4]),
     ("r_y_j before r_x_j", [0, 1, 2, 4, 3, 5, 6]),

@@ -162,7 +162,7 @@ impl Conventions {
     }
 
     /// A reference value in the program's conventions, to be sent as `given`.
-    fn given(&self, quantity: &str, case: &Case, reference: &Reference) -> Value {
+    pub fn given(&self, quantity: &str, case: &Case, reference: &Reference) -> Value {
         let shape = reference.shape_at_a_point();
         let Some(map) = self.map(quantity, case, shape) else { return reference.json.clone() };
         if self.are_usual() {

@@ -23,6 +23,9 @@ impl Comparison<'_> {
             }
             Verdict::Mistake if named => "Correct it, and compare again: a second mistake may stand behind it.".into(),
             Verdict::Mistake => "No mistake that is made on purpose here moves like this. Ask the program for the terms of one element (`ancf conform -- COMMAND…`), or give \"M\", \"q\" and \"q_ddot\" at t = 0 in JSON.".into(),
+            Verdict::Undecided if run.written.ends_at.is_some() => "Shorten the step: a right motion does not explode.".into(),
+            Verdict::Undecided if order.is_some() => "Give two files with shorter steps, the second half the first.".into(),
+            Verdict::Undecided if run.written.step.is_some() => "Give a second file with half the step.".into(),
             Verdict::Undecided => "Give a second file with half the step, or the step (`--steps`): only then its own error is known.".into(),
         }
     }
@@ -45,20 +48,41 @@ impl Comparison<'_> {
     }
 }
 
+/// What a verdict rests on.
+pub enum Cause<'a> {
+    /// From this time on, s, the motion has values that are no numbers.
+    Explodes(f64),
+    /// Two steps.
+    Steps(&'a OrderResult),
+    /// One file whose step is known, and one whose step is not.
+    OneStep,
+    NoStep,
+}
+
 /// The verdict in a sentence.
-pub fn summary(verdict: Verdict, off: f64, named: &[Named], order: Option<&OrderResult>) -> String {
+pub fn summary(verdict: Verdict, off: f64, named: &[Named], cause: &Cause) -> String {
     match (verdict, named) {
         (Verdict::Agrees, _) => format!("agrees, to {off:.1e} m"),
-        (Verdict::ShortenTheStep, _) => match order {
-            Some(order) if order.order >= 0.5 => {
+        (Verdict::ShortenTheStep, _) => match cause {
+            Cause::Steps(order) if order.order >= 0.5 => {
                 format!("agrees as far as its step allows, {off:.1e} m off, order {:.1}: shorten the step", order.order)
             }
             _ => format!("agrees as far as its step allows, {off:.1e} m off: shorten the step"),
         },
         (Verdict::Mistake, [first, ..]) => format!("a mistake: {}", first.what),
         (Verdict::Mistake, []) => format!("a mistake without a name: {off:.1e} m off, more than its step explains"),
-        (Verdict::Undecided, _) => format!(
-            "differs by {off:.1e} m: by its step or by a mistake, which one file without its step does not tell"
-        ),
+        (Verdict::Undecided, _) => match cause {
+            Cause::Explodes(end) => format!("explodes at t = {end} s, by its step or by a mistake"),
+            Cause::Steps(order) => format!(
+                "differs by {off:.1e} m, and the shorter step does not come nearer as it should (order {:.1}): by a mistake, or by steps that are too long for the waves, swapped, or the same",
+                order.order
+            ),
+            Cause::OneStep => {
+                format!("differs by {off:.1e} m, a little more than its step explains: by its method or by a mistake")
+            }
+            Cause::NoStep => format!(
+                "differs by {off:.1e} m: by its step or by a mistake, which one file without its step does not tell"
+            ),
+        },
     }
 }

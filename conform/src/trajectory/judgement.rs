@@ -1,6 +1,6 @@
 //! The verdict on a motion: t = 0, the first difference, the order of two steps, energies, the mistake that moves alike.
 
-use super::advice::summary;
+use super::advice::{Cause, summary};
 use super::comparison::Comparison;
 use super::frames::{Frames, distance};
 use super::matching::{Fit, Observed, Search, matching};
@@ -29,7 +29,13 @@ impl Comparison<'_> {
         let energies = self.energies();
         let wrong_start = start.iter().any(|start| !start.right);
         let mut verdict = self.verdict(first_agreeing.as_ref(), order.as_ref());
-        let fits = self.fits(verdict, own_size);
+        let fits = if run.written.ends_at.is_some() && matches!(verdict, Verdict::Agrees | Verdict::ShortenTheStep) {
+            // What there was before it exploded is right.
+            verdict = Verdict::Undecided;
+            Vec::new()
+        } else {
+            self.fits(verdict, own_size)
+        };
         if !fits.is_empty() {
             verdict = Verdict::Mistake;
         }
@@ -49,7 +55,13 @@ impl Comparison<'_> {
             Verdict::Mistake if !agrees => self.first_difference(own_size.min(0.5 * off)).or(first_agreeing),
             _ => first_agreeing,
         };
-        let summary = summary(verdict, off, &named, order.as_ref());
+        let cause = match (run.written.ends_at, order.as_ref()) {
+            (Some(end), _) => Cause::Explodes(end),
+            (None, Some(order)) => Cause::Steps(order),
+            (None, None) if run.written.step.is_some() => Cause::OneStep,
+            (None, None) => Cause::NoStep,
+        };
+        let summary = summary(verdict, off, &named, &cause);
         let next = self.next(verdict, off, order.as_ref(), !named.is_empty());
         let files = self.runs.iter().zip(&self.off).map(|(run, off)| FileResult {
             file: run.written.file.clone(),
