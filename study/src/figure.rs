@@ -136,7 +136,7 @@ fn draw_panel(area: &Area, panel: &Panel, times: Range<f64>, last: bool) -> Draw
 fn draw_legend(area: &Area, panel: &Panel) -> Drawn {
     const LEFT: i32 = 90;
     const SAMPLE: i32 = 22;
-    const CHARACTER: f64 = 7.3;
+    const CHARACTER: f64 = 6.6;
     let fine = FINE as i32;
     let mut x = LEFT;
     for curve in &panel.curves {
@@ -147,7 +147,7 @@ fn draw_legend(area: &Area, panel: &Panel) -> Drawn {
         }
         let text = ("sans-serif", 14 * FINE).into_font();
         area.draw(&Text::new(curve.name.to_string(), (to + 5 * fine, 5 * fine), text))?;
-        x += SAMPLE + 25 + (CHARACTER * curve.name.chars().count() as f64) as i32;
+        x += SAMPLE + 18 + (CHARACTER * curve.name.chars().count() as f64) as i32;
     }
     Ok(())
 }

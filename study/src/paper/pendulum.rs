@@ -196,9 +196,8 @@ pub fn pictures(models: &[Model], rigid: &Tip, continuum: &Continuum) -> Result<
             let points = tip.t.iter().zip(&tip.r).map(|(t, r)| (*t, r[component] - origin[component]));
             Curve::line(name, colour, points.collect())
         };
-        let solid = curve("plane solid, 2D, sudden", SOLID, &continuum.solid("2d-sudden")?.tip);
-        let mut curves =
-            vec![Curve { stroke: Stroke::Broad, ..solid }, curve("rigid (elliptic functions)", RIGID, rigid)];
+        let solid = curve("plane solid", SOLID, &continuum.solid("2d-sudden")?.tip);
+        let mut curves = vec![Curve { stroke: Stroke::Broad, ..solid }, curve("rigid", RIGID, rigid)];
         let own = |model: &Model| curve(model.kind.name, model.kind.colour, &model.tip);
         curves.extend([flexible].into_iter().chain(heated("sudden")).map(own));
         let quantity = format!("displacement of A along {}, m", ["x", "y"][component]);
