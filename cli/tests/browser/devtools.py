@@ -13,6 +13,9 @@ import websocket
 #: Names under which systems have the browser.
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 
+# Starts that are tried, and the time of each.
+STARTS, SECONDS = 3, 40
+
 
 def browser_path() -> str | None:
     """Path of the browser: that of the variable CHROMIUM, or of the first known name."""
@@ -23,31 +26,34 @@ class Browser:
     """A headless browser with one page."""
 
     def __init__(self, path: str) -> None:
-        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        options = ["--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--remote-debugging-port=0",
-                   "--disable-background-networking", "--disable-component-update", "--hide-scrollbars",
-                   f"--user-data-dir={self.folder.name}", "about:blank"]
-        self.process = subprocess.Popen([path, *options], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        port, place = self._started(path)
         self.count = 0
         self.faults: list[str] = []
         self.requests: list[str] = []
         self.session: str | None = None
         self.loaded = False
-        port, place = self._port()
         self.socket = websocket.create_connection(f"ws://127.0.0.1:{port}{place}", suppress_origin=True, timeout=60)
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         self.session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         for domain in ("Page", "Runtime", "Log", "Network"):
             self.call(f"{domain}.enable")
 
-    def _port(self) -> list[str]:
-        """Port and path of the socket, which the browser writes when it is ready."""
-        file = Path(self.folder.name) / "DevToolsActivePort"
-        for _ in range(300):
-            if file.exists() and len(lines := file.read_text().split()) == 2:
-                return lines
-            time.sleep(0.1)
-        raise RuntimeError("the browser has opened no port within 30 s")
+    def _started(self, path: str) -> list[str]:
+        """Starts the browser. Returns port and path of its socket. On a busy machine a start may hang: then it is tried again."""
+        for _ in range(STARTS):
+            self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+            options = ["--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--remote-debugging-port=0",
+                       "--disable-background-networking", "--disable-component-update", "--hide-scrollbars",
+                       f"--user-data-dir={self.folder.name}", "about:blank"]
+            self.process = subprocess.Popen([path, *options], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            file = Path(self.folder.name) / "DevToolsActivePort"
+            for _ in range(10 * SECONDS):
+                if file.exists() and len(lines := file.read_text().split()) == 2:
+                    return lines
+                time.sleep(0.1)
+            self.process.kill()
+            self.process.wait()
+        raise RuntimeError(f"the browser has opened no port in {STARTS} starts of {SECONDS} s")
 
     def call(self, method: str, **parameters):
         """Result of a command; what the browser tells meanwhile is noted."""
