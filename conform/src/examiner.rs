@@ -55,12 +55,16 @@ pub fn examine(suite: &Suite, subject: &mut dyn Subject, options: Options, progr
     let answers = examiner.answers(&progress);
     // The form of the numbers shows before they are translated.
     let mut precision = Precision::found(suite, &answers);
-    let at_precision = precision.applied(suite, &answers);
+    let fixtures = suite;
+    let at_precision = precision.applied(fixtures, &answers);
     let suite = at_precision.as_ref();
     examiner.suite = suite;
     let found = convention::infer(suite, &declared, answers, &mut |quantity, n, conventions| {
         examiner.ask(quantity, n, &[], conventions)
     });
+    // States that were refused at first may have answers now.
+    let at_precision = precision.applied(fixtures, &found.answers);
+    let suite = at_precision.as_ref();
     let of_own_digits = own_digits::widened(suite, &precision, &found.conventions);
     let suite = of_own_digits.as_ref().unwrap_or(suite);
     examiner.suite = suite;
