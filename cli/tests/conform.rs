@@ -630,6 +630,32 @@ fn another_id_is_named_when_time_is_over() {
     assert!(text.contains("but one with the id") && text.contains("letter by letter"), "{text}");
 }
 
+/// Nothing takes the place of a pipe or of a link.
+#[cfg(unix)]
+#[test]
+fn questions_go_into_pipes_and_through_links() {
+    use std::os::unix::fs::{FileTypeExt, symlink};
+
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name);
+    let write = |name: &str| {
+        let output = ancf(folder.path(), &["conform", "--only", "17.mu", "--questions", name]);
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    };
+    assert!(std::process::Command::new("mkfifo").arg(place("pipe")).status().unwrap().success());
+    let pipe = place("pipe");
+    let reader = std::thread::spawn(move || fs::read_to_string(pipe).unwrap());
+    write("pipe");
+    assert!(fs::symlink_metadata(place("pipe")).unwrap().file_type().is_fifo());
+    assert!(reader.join().unwrap().lines().count() > 30);
+
+    fs::write(place("target.jsonl"), "").unwrap();
+    symlink("target.jsonl", place("link.jsonl")).unwrap();
+    write("link.jsonl");
+    assert!(fs::symlink_metadata(place("link.jsonl")).unwrap().is_symlink());
+    assert!(fs::read_to_string(place("target.jsonl")).unwrap().lines().count() > 30);
+}
+
 #[test]
 fn questions_are_written_and_answers_of_files_judged() {
     let folder = tempfile::tempdir().unwrap();

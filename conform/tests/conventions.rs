@@ -359,6 +359,7 @@ fn programs() -> Vec<(&'static str, Mine, Vec<&'static str>)> {
     vec![
         ("paper", mine.clone(), vec![]),
         ("positions first", Mine { order: POSITIONS_FIRST, ..mine.clone() }, vec!["order"]),
+        ("by kind", Mine { order: [0, 2, 5, 1, 4, 6, 3], ..mine.clone() }, vec!["order"]),
         ("ends first", Mine { order: ENDS_FIRST, ..mine.clone() }, vec!["order"]),
         ("any order", Mine { order: [4, 6, 0, 3, 5, 1, 2], ..mine.clone() }, vec!["order"]),
         ("all x, then all y", Mine { all_x_then_all_y: true, ..mine.clone() }, vec!["components", "components"]),

@@ -264,3 +264,10 @@ fn a_value_that_is_computed_in_place_of_the_given_one_remains_an_excuse() {
     let words = "It says it reads `given`, but does not for `20.K`";
     assert!(none.markdown().contains(words), "{}", none.markdown());
 }
+
+#[test]
+fn answers_without_numbers_say_nothing_of_given_values() {
+    let quantities = ["17.lambda", "17.mu", "20.K", "19.Q_e"];
+    let report = report_with(&quantities, true, |(): &mut (), _| Answer::Error("not today".into()));
+    assert!(report.given_ignored.is_empty() && !report.passes, "{}", report.markdown());
+}

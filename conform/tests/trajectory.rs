@@ -231,6 +231,36 @@ fn a_first_order_method_is_told_from_a_long_step() {
     assert_named(&compared("flexible-2", &damped), "weight times 0.918");
 }
 
+/// The fixture's own motion, with each y times a factor, and no numbers after a time.
+fn stored(factor: f64, end: f64) -> String {
+    let reference = reference("flexible-2").unwrap();
+    let row = |(t, [x, y]): (&f64, &[f64; 2])| match *t > end {
+        true => format!("{t},nan,nan\n"),
+        false => format!("{t},{x},{}\n", factor * y),
+    };
+    let rows: String = reference.frames.t.iter().zip(&reference.frames.position["tip"]).map(row).collect();
+    format!("t,tip_x,tip_y\n{rows}")
+}
+
+#[test]
+fn a_motion_that_explodes_is_not_called_right() {
+    let outcome = compared_text(&stored(1.0, 0.3), "flexible-2").unwrap();
+    assert_eq!((outcome.verdict, outcome.mistakes.len()), (Verdict::Undecided, 0), "{}", outcome.markdown());
+    assert!(outcome.summary.contains("explodes at t = 0.35 s"), "{}", outcome.summary);
+    assert!(compared_text(&stored(1.0, 1.0), "flexible-2").unwrap().passes());
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "half a million steps; in release mode")]
+fn a_step_that_is_too_short_to_be_run_is_judged_all_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("motion.csv");
+    fs::write(&path, stored(1.001, 1.0)).unwrap();
+    let request = Request { files: vec![path], scene: "flexible-2".into(), steps: vec![1e-12] };
+    let outcome = compare(&request).unwrap();
+    assert_eq!(outcome.verdict, Verdict::Mistake, "{}", outcome.markdown());
+}
+
 #[test]
 fn malformed_files_are_refused_by_place() {
     for (text, words) in [

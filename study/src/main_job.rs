@@ -78,7 +78,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     ))?;
     let structures = pinned.compare()?;
     checked(Check::of(
-        "pinned rods beside the oracle, stiff scissors beside rigid ones",
+        "pinned rods against the oracle, stiff scissors against rigid ones",
         structures.iter().map(Comparison::holds),
     ))?;
     let (stability, stability_picture) = stability::part(&mut files)?;
@@ -90,7 +90,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let errors = model_error::errors(&models, &solids)?;
     let shear = model_error::shear(&models, &solids, &known.shear)?;
     let continuum = model_error::bars(&models, &errors, &shear);
-    checked(Check::of("the pendulum beside a plane solid", continuum.iter().map(Comparison::holds)))?;
+    checked(Check::of("the pendulum against a plane solid", continuum.iter().map(Comparison::holds)))?;
     let structure = Structure::simulate(&reading::ASSUMED)?;
     let family = &structure.fine;
     let energy = vec![

@@ -140,7 +140,7 @@ impl Report {
         let follow: Vec<String> =
             by_input.iter().map(|(input, followers)| format!("{} from {input}", followers.join(", "))).collect();
         if !follow.is_empty() {
-            writeln!(out, "\nWrong, but so are their inputs: {}.", follow.join("; "))?;
+            writeln!(out, "\nWhere these mistakes come from: {}.", follow.join("; "))?;
         }
         Ok(())
     }

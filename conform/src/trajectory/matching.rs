@@ -1,8 +1,8 @@
 //! Which mistakes made on purpose move as the program does.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
+
+use rayon::prelude::*;
 
 use super::frames::{Frames, Path, distance};
 use super::mistake::{Family, Made, Mistake, Output};
@@ -132,7 +132,9 @@ impl Observed<'_> {
     /// Distances of mistakes, the cheapest motions first: by Verlet's steps as long as the program's, which share its error if it does the
     /// same; finely; by the trapezoidal rule with its step, if they come near. What follows is left out once a mistake is matched.
     fn distances(&self, mistakes: &[Mistake], right: &Setup) -> Vec<f64> {
-        let of = |count: &(dyn Fn(&Made) -> f64 + Sync)| in_parallel(mistakes.len(), |n| count(&mistakes[n].made));
+        let of = |count: &(dyn Fn(&Made) -> f64 + Sync)| {
+            mistakes.par_iter().map(|mistake| count(&mistake.made)).collect::<Vec<f64>>()
+        };
         let by = |method: Option<Method>, made: &Made| match (made, method) {
             (Made::Setup(_), Some(method)) => self.distance(made, right, method, self.limit()),
             _ => f64::INFINITY,
@@ -157,10 +159,11 @@ impl Observed<'_> {
         nearest.iter_mut().zip(&fine).for_each(|(nearest, fine)| *nearest = nearest.min(*fine));
         if !is_within(&nearest, self.found()) {
             let near = self.limit() + ERRORS_OF_A_METHOD * self.own_error;
-            let found = in_parallel(mistakes.len(), |n| match fine[n] {
-                fine if fine <= near => by(trapezoidal, &mistakes[n].made),
-                _ => f64::INFINITY,
-            });
+            let comes_near = |(mistake, fine): (&Mistake, &f64)| match *fine <= near {
+                true => by(trapezoidal, &mistake.made),
+                false => f64::INFINITY,
+            };
+            let found: Vec<f64> = mistakes.par_iter().zip(&fine).map(comes_near).collect();
             nearest.iter_mut().zip(found).for_each(|(nearest, found)| *nearest = nearest.min(found));
         }
         // Farther ones were followed only for the sake of the program's own error.
@@ -220,8 +223,8 @@ pub fn matching(observed: &Observed) -> Vec<Fit> {
         .collect();
     let best = |fits: &[Fit]| fits.iter().map(|fit| fit.distance).fold(f64::INFINITY, f64::min);
     if best(&fits) > observed.found() && observed.search != Search::SameMethod {
-        let fitted = in_parallel(FAMILIES.len(), |n| fitted(observed, &FAMILIES[n], &right));
-        fits.extend(fitted.into_iter().flatten());
+        let fitted: Vec<Fit> = FAMILIES.par_iter().filter_map(|family| fitted(observed, family, &right)).collect();
+        fits.extend(fitted);
     }
     let alike = observed.alike(best(&fits));
     fits.retain(|fit| fit.distance <= alike);
@@ -283,26 +286,4 @@ fn fitted(observed: &Observed, family: &Family, right: &Setup) -> Option<Fit> {
         }
     }
     Some(Fit { what: (family.what)(value), look_at: family.look_at, distance: reached })
-}
-
-/// Values of a function of 0, 1, … in threads.
-fn in_parallel<T: Send>(count: usize, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let threads = thread::available_parallelism().map_or(1, usize::from).min(count.max(1));
-    let work = || {
-        let mut done = Vec::new();
-        loop {
-            let n = next.fetch_add(1, Ordering::Relaxed);
-            if n >= count {
-                return done;
-            }
-            done.push((n, value(n)));
-        }
-    };
-    let mut all: Vec<(usize, T)> = thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        workers.into_iter().filter_map(|worker| worker.join().ok()).flatten().collect()
-    });
-    all.sort_by_key(|(n, _)| *n);
-    all.into_iter().map(|(_, value)| value).collect()
 }

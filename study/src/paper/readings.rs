@@ -108,3 +108,49 @@ pub fn study(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     files.write_json(FILE, &readings)?;
     print(&written_lines(&files.publish()?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::Table;
+
+    fn statement(brief: &'static str, standing: Standing) -> Statement {
+        let (measure, verdict) = (String::new(), "as measured".to_string());
+        Statement { brief, text: "", measure, numbers: Vec::<Table>::new(), verdict, standing }
+    }
+
+    fn readings(standings: [Standing; 2]) -> Readings {
+        let read = |(name, standing): (&str, Standing)| Read {
+            reading: name.into(),
+            standings: vec![("one".into(), standing)],
+        };
+        Readings { readings: ["as assumed", "other"].into_iter().zip(standings).map(read).collect() }
+    }
+
+    #[test]
+    fn a_verdict_names_the_readings_it_holds_under() {
+        let judged = |standings| readings(standings).judge(statement("one", standings[0]));
+        let all = judged([Standing::Holds, Standing::Holds]);
+        assert_eq!(all.standing, Standing::Holds);
+        assert!(all.verdict.starts_with("holds under every reading"), "{}", all.verdict);
+        let part = judged([Standing::Holds, Standing::DoesNot]);
+        assert_eq!(part.standing, Standing::InPart);
+        assert!(part.verdict.starts_with("holds under: as assumed\ndoes not hold under: other"), "{}", part.verdict);
+        assert_eq!(judged([Standing::Undecided, Standing::DoesNot]).standing, Standing::Undecided);
+    }
+
+    #[test]
+    fn another_standing_than_the_kept_one_is_noticed() {
+        let kept = readings([Standing::Holds; 2]);
+        let fresh =
+            [statement("one", Standing::Holds), statement("one", Standing::DoesNot), statement("two", Standing::Holds)];
+        assert_eq!(kept.agree(&fresh).collect::<Vec<_>>(), [true, false, false]);
+    }
+
+    #[test]
+    fn the_kept_readings_have_every_statement() {
+        let kept = Readings::kept().unwrap();
+        assert_eq!(kept.readings.len(), READINGS.len());
+        assert!(kept.readings.iter().all(|read| read.standings.len() == 10));
+    }
+}

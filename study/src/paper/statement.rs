@@ -1,4 +1,4 @@
-//! A statement of the paper beside what was measured.
+//! A statement of the paper, and what was measured.
 
 use super::claims_section3::{PendulumStatement, WindowFinding};
 use super::claims_section4::StructureStatement;
