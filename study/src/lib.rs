@@ -3,6 +3,7 @@
 
 mod axis;
 mod canvas;
+mod drawing;
 pub mod error;
 pub mod error_time;
 pub mod escape;

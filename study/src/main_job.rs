@@ -24,6 +24,7 @@ use crate::paper::scissors::{ELEMENTS, STEP, Structure};
 use crate::paper::section4::{self, A4Row};
 use crate::paper::statement::Statement;
 use crate::paper::tables;
+use crate::paper::{figure1, figure2};
 use crate::paper_page::{self, Story, Titled};
 use crate::picture::Picture;
 use crate::stability::{StabilityRow, Verdict};
@@ -60,7 +61,14 @@ struct Report {
 pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let clock = Instant::now();
     // First, so that a folder that cannot be written is found before the work.
-    let names = [&pendulum::PICTURES[..], &section4::PICTURES, &error_time::FILES, &stability::FILES, &FILES];
+    let names = [
+        &[figure1::FILE, figure2::FILE][..],
+        &pendulum::PICTURES,
+        &section4::PICTURES,
+        &error_time::FILES,
+        &stability::FILES,
+        &FILES,
+    ];
     let mut files = Files::in_folder(out, names.concat(), &[])?;
     let (known, pinned, solids) = (Oracle::load()?, Structures::load()?, Continuum::load()?);
     let mut checks: Vec<Check> = Vec::new();
@@ -130,6 +138,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
         failed.chain(balances).chain(kept).chain(stability.wrong().map(StabilityRow::line)).collect();
     let mut pictures = pendulum::pictures(&models, &known.rigid, &solids)?;
     pictures.extend(section4::pictures(&structure)?);
+    pictures.extend([figure1::picture(), figure2::picture()?]);
     for picture in &pictures {
         files.write_text(picture.file, picture.svg.clone())?;
     }

@@ -6,6 +6,8 @@ pub mod claims_section3;
 pub mod claims_section4;
 pub mod comparison;
 pub mod continuum;
+pub mod figure1;
+pub mod figure2;
 pub mod locking;
 pub mod model_error;
 pub mod outcome;

@@ -38,13 +38,19 @@ struct Scene {
     statements: std::ops::Range<usize>,
 }
 
-const PENDULUM: [Scene; 3] = [
+const PENDULUM: [Scene; 4] = [
+    Scene {
+        title: "The element",
+        text: "A rod is a chain of such elements. The slope across lets its section turn by itself, stretch and shear.",
+        pictures: &["figure1.svg"],
+        statements: 0..1,
+    },
     Scene {
         title: "The whole motion",
         text: "The pendulum of Table 1 falls from the horizontal; heat of 200 K is there from t = 0. A plane solid stands in for the paper's \
                ANSYS curve.",
-        pictures: &["figure3.svg"],
-        statements: 0..3,
+        pictures: &["figure2.svg", "figure3.svg"],
+        statements: 1..3,
     },
     Scene {
         title: "What heat changes",

@@ -1,4 +1,6 @@
-//! The pictures: error over the swept parameter, with the bounds; both axes are logarithmic, but for angles.
+//! The picture: of each case one error with its bound over the swept parameter. Both axes are logarithmic, but for angles.
+
+use std::collections::BTreeMap;
 
 use plotters::coord::combinators::BindKeyPoints;
 use plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
@@ -9,30 +11,14 @@ use super::study::Swept;
 use crate::axis::{decades, power_label, ticks};
 use crate::canvas::{self, Area, Drawn, Size};
 use crate::error::Result;
-use crate::palette::{BLACK, GREY, of_method};
-use ancf::internals::model::Words;
-use ancf::model::Method;
-
-/// Methods that a variant's name may contain. An adaptive method's word contains that of the other, and comes first.
-const METHODS: [Method; 7] = [
-    Method::GaussAdaptive,
-    Method::NystromAdaptive,
-    Method::EnergyMomentum,
-    Method::GeneralizedAlpha,
-    Method::Gauss,
-    Method::Explicit,
-    Method::Nystrom,
-];
-
-/// Colour of variants without a method.
-const OTHER: RGBColor = BLACK;
+use crate::palette::{BLUE, GREY, VERMILLION};
 
 /// Errors below are drawn here: a logarithmic axis has no zero.
 const LEAST: f64 = 1e-18;
 
 const PANEL_HEIGHT: u32 = 250;
 const COLUMNS: usize = 3;
-const FONT: (&str, u32) = ("sans-serif", 12);
+const FONT: (&str, u32) = ("sans-serif", 16);
 
 /// A panel for each case that is a sweep: errors at two values or more.
 ///
@@ -45,39 +31,44 @@ pub fn svg(cases: &[Swept]) -> Result<String> {
     };
     let drawn: Vec<&Swept> = cases.iter().filter(is_swept).collect();
     let rows = drawn.len().div_ceil(COLUMNS).max(1);
-    let size = Size { width: 1200, head: 92, body: PANEL_HEIGHT * rows as u32, parts: 1 };
+    let size = Size { width: 1020, head: 72, body: PANEL_HEIGHT * rows as u32, parts: 1 };
     canvas::svg("Stiff and extreme cases", size, |key, body| {
         legend(key)?;
         body.split_evenly((rows, COLUMNS)).iter().zip(drawn).try_for_each(|(area, swept)| panel(area, swept))
     })
 }
 
-/// The marks in one line, the colours in the next.
+/// The marks.
 fn legend(area: &Area) -> Drawn {
-    let text = |words: &str, x: i32, y: i32| area.draw(&Text::new(words.to_string(), (x, y - 6), FONT));
-    let dot = |x: i32, style: ShapeStyle| area.draw(&Circle::new((x, 10), 3, style));
-    dot(20, GREY.filled())?;
-    text("error", 30, 10)?;
-    area.draw(&PathElement::new([(95, 10), (125, 10)], GREY.mix(0.5).stroke_width(2)))?;
-    text("its bound", 132, 10)?;
-    area.draw(&Cross::new((220, 10), 4, GREY.stroke_width(1)))?;
-    text("refused, with the reason", 230, 10)?;
-    dot(400, GREY.stroke_width(1))?;
-    text("for comparison, not judged: the total form of slenderness", 410, 10)?;
-    dot(770, RED.filled())?;
-    text("WRONG", 780, 10)?;
-    let methods = METHODS.map(|method| (method.word(), of_method(method)));
-    for (number, (name, colour)) in methods.into_iter().chain([("statics, and others", OTHER)]).enumerate() {
-        let x = 20 + 145 * number as i32;
-        area.draw(&Circle::new((x, 32), 4, colour.filled()))?;
-        text(name, x + 10, 32)?;
-    }
-    Ok(())
+    let text = |words: &str, x: i32| area.draw(&Text::new(words.to_string(), (x, 4), FONT));
+    let dot = |x: i32, style: ShapeStyle| area.draw(&Circle::new((x, 12), 5, style));
+    dot(20, BLUE.filled())?;
+    text("error nearest to its bound", 32)?;
+    dot(255, BLUE.stroke_width(2))?;
+    text("… with a warning", 267)?;
+    area.draw(&PathElement::new([(415, 12), (455, 12)], GREY.stroke_width(3)))?;
+    text("its bound", 462)?;
+    area.draw(&Cross::new((560, 12), 5, VERMILLION.stroke_width(2)))?;
+    text("something refused, with the reason", 572)?;
+    dot(860, RED.filled())?;
+    text("WRONG", 872)
 }
 
-/// The colour of a variant.
-fn colour(variant: &str) -> RGBColor {
-    METHODS.into_iter().find(|method| variant.contains(method.word())).map_or(OTHER, of_method)
+/// At each value of the parameter the variant whose error is nearest to its bound, in order of values.
+fn nearest(rows: &[StabilityRow]) -> Vec<&StabilityRow> {
+    let mut of: BTreeMap<u64, &StabilityRow> = BTreeMap::new();
+    let part = |row: &StabilityRow| row.error.zip(row.bound).map_or(0.0, |(error, bound)| error / bound);
+    for row in rows.iter().filter(|row| row.error.is_some()) {
+        let known = of.entry(row.value.to_bits()).or_insert(row);
+        // A row that is WRONG is shown, whatever stands beside it.
+        let is_shown = |row: &StabilityRow| (row.verdict == Verdict::Wrong, part(row));
+        if is_shown(row) > is_shown(known) {
+            *known = row;
+        }
+    }
+    let mut nearest: Vec<&StabilityRow> = of.into_values().collect();
+    nearest.sort_by(|a, b| a.value.total_cmp(&b.value));
+    nearest
 }
 
 /// The panel of a case, with the axis that suits its parameter.
@@ -115,47 +106,47 @@ fn chart<X: AsRangedCoord<Value = f64>>(
 where
     X::CoordDescType: Ranged<ValueType = f64> + ValueFormatter<f64>,
 {
-    let rows = || swept.rows.iter();
-    let numbers = rows().flat_map(|row| [row.error, row.bound, row.beside]).flatten();
+    let rows = nearest(&swept.rows);
+    let numbers = rows.iter().flat_map(|row| [row.error, row.bound]).flatten();
     let errors = decades(numbers.filter(|number| !number.is_nan()).map(|number| number.max(LEAST)));
     let up = |value: f64| value.is_finite().then(|| value.clamp(errors.start, errors.end));
     // Above the errors there is room for the crosses of refused rows.
     let above = |part: f64| errors.end * (errors.end / errors.start).powf(part);
-    let (top, end) = (above(0.06), above(0.1));
+    let (top, end) = (above(0.06), above(0.12));
     // The unit of other rows, in brackets, is in the table only.
     let unit = swept.case.unit.split(" (").next().unwrap_or_default();
     let mut chart = ChartBuilder::on(area)
         .margin(8)
-        .caption(swept.case.name, ("sans-serif", 15))
-        .x_label_area_size(38)
-        .y_label_area_size(58)
+        .margin_right(16)
+        .caption(swept.case.name, ("sans-serif", 18))
+        .x_label_area_size(46)
+        .y_label_area_size(66)
         .build_cartesian_2d(axis, (errors.start..end).log_scale().with_key_points(ticks(&errors)))?;
     chart
         .configure_mesh()
         .x_desc(title)
         .y_desc(format!("error, {unit}"))
         .label_style(FONT)
+        .axis_desc_style(FONT)
         .light_line_style(WHITE)
         .x_label_formatter(label)
         .y_label_formatter(&power_label)
         .draw()?;
-    let mut variants: Vec<&str> = rows().map(|row| row.variant.as_str()).collect();
-    variants.dedup();
-    for variant in variants {
-        let colour = colour(variant);
-        let own = || rows().filter(|row| row.variant == variant);
-        let place = |row: &StabilityRow, value: Option<f64>| Some((across(row.value)?, up(value?)?));
-        let mut bounds: Vec<(f64, f64)> = own().filter_map(|row| place(row, row.bound)).collect();
-        bounds.sort_by(|a, b| a.0.total_cmp(&b.0));
-        chart.draw_series(LineSeries::new(bounds, colour.mix(0.5).stroke_width(1)))?;
-        let is_wrong = |row: &StabilityRow| row.verdict == Verdict::Wrong;
-        let style = |row: &StabilityRow| if is_wrong(row) { RED.filled() } else { colour.filled() };
-        chart.draw_series(own().filter_map(|row| Some(Circle::new(place(row, row.error)?, 3, style(row)))))?;
-        let beside = own().filter_map(|row| Some(Circle::new(place(row, row.beside)?, 3, colour.stroke_width(1))));
-        chart.draw_series(beside)?;
-        let refused = own().filter(|row| row.error.is_none());
-        chart.draw_series(refused.filter_map(|row| Some(Cross::new((across(row.value)?, top), 4, style(row)))))?;
-    }
+    let place = |row: &StabilityRow, value: Option<f64>| Some((across(row.value)?, up(value?)?));
+    let bounds = rows.iter().filter_map(|row| place(row, row.bound));
+    chart.draw_series(LineSeries::new(bounds, GREY.stroke_width(3)))?;
+    let style = |row: &StabilityRow| match row.verdict {
+        Verdict::Wrong => RED.filled(),
+        Verdict::Warned => BLUE.stroke_width(2),
+        _ => BLUE.filled(),
+    };
+    chart.draw_series(rows.iter().filter_map(|row| Some(Circle::new(place(row, row.error)?, 4, style(row)))))?;
+    let refused = swept.rows.iter().filter(|row| row.error.is_none());
+    let crosses = refused.filter_map(|row| {
+        let style = if row.verdict == Verdict::Wrong { RED } else { VERMILLION };
+        Some(Cross::new((across(row.value)?, top), 4, style.stroke_width(2)))
+    });
+    chart.draw_series(crosses)?;
     Ok(())
 }
 
@@ -164,9 +155,31 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_colour_is_that_of_the_longest_word() {
-        assert_eq!(colour("gauss-adaptive, 4 elements"), of_method(Method::GaussAdaptive));
-        assert_eq!(colour("statics"), OTHER);
-        assert_eq!(colour("gauss, euler-bernoulli"), of_method(Method::Gauss));
+    fn the_row_nearest_to_its_bound_is_drawn_and_a_wrong_one_before_it() {
+        let row = |value, error, bound, verdict| StabilityRow {
+            case: "",
+            variant: String::new(),
+            parameter: "",
+            value,
+            error,
+            bound,
+            size: Some(1.0),
+            loose: false,
+            unit: "m",
+            why: String::new(),
+            beside: None,
+            counts: Default::default(),
+            verdict,
+            note: String::new(),
+        };
+        let rows = [
+            row(2.0, Some(1e-9), Some(1e-8), Verdict::Right),
+            row(2.0, Some(1e-7), Some(1e-5), Verdict::Right),
+            row(1.0, Some(9e-9), Some(1e-8), Verdict::Right),
+            row(1.0, Some(1e-9), Some(1e-8), Verdict::Wrong),
+            row(3.0, None, None, Verdict::Refused),
+        ];
+        let shown: Vec<_> = nearest(&rows).iter().map(|row| (row.value, row.error)).collect();
+        assert_eq!(shown, [(1.0, Some(1e-9)), (2.0, Some(1e-9))]);
     }
 }
