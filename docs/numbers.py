@@ -2,10 +2,12 @@
 
     python3 docs/numbers.py --take main out            # keeps the results of `ancf` that are in out/, with their pictures
     python3 docs/numbers.py --take stability out       # keeps those of `ancf stability`
+    python3 docs/numbers.py --take evidence measured   # keeps what tests wrote into the file that ANCF_MEASURED named
     python3 docs/numbers.py                            # writes the blocks of the pages from docs/results/
     python3 docs/numbers.py --check [--run main out]   # compares the pages with docs/results/, and those with a new run
 
-A block stands between `<!-- NAME:begin -->` and `<!-- NAME:end -->`. Needs Python 3.11 and nothing else.
+A block stands between `<!-- NAME:begin -->` and `<!-- NAME:end -->`, a number between `<!--=RESULT:NAME-->` and `<!--/-->`; the end of NAME may be
+`.*`, all that begin so in a row, or `.~`, the least and the largest of them. Needs Python 3.11 and nothing else.
 """
 
 import argparse
@@ -25,12 +27,15 @@ COMMANDS = {
     "main": "cargo run --release",
     "readings": "cargo run --release -- readings",
     "stability": "cargo run --release -- stability",
+    "evidence": "cargo test",
 }
 # The main job reads this one.
 READINGS = ROOT / "study" / "readings.json"
-PICTURES = {"readings": (), "main": ("figure3.svg", "figure4.svg", "figure7.svg", "figure8-y.svg", "structure.svg", "deployment.svg"), "stability": ("stability.svg",)}
+PICTURES = {"readings": (), "main": ("figure3.svg", "figure4.svg", "figure7.svg", "figure8-y.svg", "structure.svg", "deployment.svg"), "stability": ("stability.svg",), "evidence": ()}
 # A rerun on another machine may differ by roundings, which some of these runs amplify.
 AGREES = 1e-3
+# What tests measure is rounding in part, and that differs by a factor from one processor to another.
+WORSE, OF_TESTS = 3.0, 0.05
 FIRST_VALUES = 3
 
 
@@ -42,6 +47,29 @@ def power(value, digits=1):
         return f"{value:.{digits + 1}g}"
     mantissa, exponent = f"{value:.{digits}e}".split("e")
     return f"{mantissa}·10{str(int(exponent)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+
+
+def plain(value):
+    """A number that was chosen, as short as it can be said."""
+    if value == int(value) and abs(value) < 1e5:
+        return str(int(value))
+    text = f"{value:g}" if 1e-3 <= abs(value) < 1e5 else power(value, 0)
+    return text.removeprefix("1·")
+
+
+def measured(value):
+    """A number that was measured, with three digits."""
+    if isinstance(value, int):
+        return str(value)
+    return f"{value:#.3g}" if 1e-2 <= abs(value) < 1e3 else power(value)
+
+
+def at_most(value):
+    """A number of two digits that is not below the value."""
+    if value == 0:
+        return "0"
+    unit = 10.0 ** (math.floor(math.log10(abs(value))) - 1)
+    return power(math.ceil(value / unit - 1e-6) * unit)
 
 
 def table(head, rows):
@@ -118,9 +146,28 @@ def made(result):
 def stability_counts(result):
     """Rows of the stability table by case and verdict."""
     verdicts = ("right", "right with warning", "refused", "WRONG")
-    rows = [[case, *(str(counts[verdict]) for verdict in verdicts), str(counts["~"])] for case, counts in result["cases"].items()]
+    rows = [[name, *(str(case["counts"][verdict]) for verdict in verdicts), str(case["counts"]["~"])] for name, case in result["cases"].items()]
     total = ["together", *(str(sum(int(row[n]) for row in rows)) for n in range(1, 6))]
     return table(["case", *verdicts, "~"], [*rows, total]) + f"\n\n{made(result)}"
+
+
+def stability_cases(result):
+    """What each case sweeps, how far it holds, and the row whose error is nearest to its bound."""
+    def reach(values):
+        if not values:
+            return "–"
+        shown = [plain(value) for value in (min(values), max(values))]
+        return " … ".join(dict.fromkeys(shown))
+
+    rows = []
+    for name, case in result["cases"].items():
+        ends = [reach(case["values"][verdict]) for verdict in ("right", "right with warning", "refused")]
+        nearest = case["nearest"]
+        shown = "–"
+        if nearest:
+            shown = f"{power(nearest['error'])} of {power(nearest['bound'])} {case['unit'].split(' (')[0]} ({nearest['variant']}, {plain(nearest['value'])})"
+        rows.append([f"`{name}`", case["reference"], case["parameter"], *ends, shown])
+    return table(["case", "error, from", "swept", "right", "with a warning", "refused", "the error nearest to its bound"], rows)
 
 
 BLOCKS = {
@@ -132,7 +179,58 @@ BLOCKS = {
     ("paper.md", "readings", "readings"): readings,
     ("paper.md", "made", "main"): made,
     ("stability.md", "counts", "stability"): stability_counts,
+    ("stability.md", "cases", "stability"): stability_cases,
+    ("evidence.md", "measured", "evidence"): made,
 }
+
+
+def main_values(main):
+    """Numbers of the main job that pages tell in their sentences."""
+    of = lambda rows, key, pick=lambda row: True: max(row[key] for row in rows if pick(row))
+    is_sudden = lambda row: "sudden" in row["run"]
+    is_pinned = lambda row: row["run"].startswith(("scissor-", "knee-"))
+    is_of = lambda *models: lambda row: row["model"] in models
+    early = lambda model: lambda row: row["model"] == model and row["window"]["to"] <= 0.5
+    return {
+        "pendulum-smooth": of(main["oracle"], "largest_distance", lambda row: not is_sudden(row)),
+        "pendulum-sudden": of(main["oracle"], "largest_distance", is_sudden),
+        "pendulum-oracle": of(main["oracle"], "oracle_error"),
+        "structures": of(main["structures"], "largest_distance", is_pinned),
+        "structures-oracle": of(main["structures"], "oracle_error", is_pinned),
+        "scissors-balance": max(row["largest"] / row["input"] for row in main["energy"]),
+        "solid-flexible": of(main["errors"], "reference", early("flexible")),
+        "solid-sudden": of(main["errors"], "reference", early("2d-sudden")),
+        "step-smooth": of(main["tip"], "change_with_twice_the_step", is_of("flexible", "2d-relaxed")),
+        "step-sudden": of(main["tip"], "change_with_twice_the_step", is_of("2d-sudden")),
+    }
+
+
+def inline(page, text, check):
+    """The page's text with its numbers, and what is wrong."""
+    faults = []
+
+    def told(match):
+        result, name, shown = match.groups()
+        if result not in COMMANDS or not kept(result).exists():
+            faults.append(f"{page}: no result {result}")
+            return match[0]
+        values = json.loads(kept(result).read_text(encoding="utf-8"))
+        values = {name: ("at-most", value) for name, value in main_values(values).items()} if result == "main" else values["measured"]
+        row = [values[each] for each in values if each == name or name[-2:] in (".*", ".~") and each.startswith(name[:-1])]
+        if not row:
+            faults.append(f"{page}: {result} has no {name}")
+            return match[0]
+        number = lambda kind, value: at_most(value) if kind == "at-most" else measured(value)
+        if name.endswith(".~"):
+            least, largest = (edge(row, key=lambda each: each[1]) for edge in (min, max))
+            new = f"{number(*least)} … {number(*largest)}"
+        else:
+            new = ", ".join(number(*each) for each in row)
+        if check and new != shown:
+            faults.append(f"docs/{page}: {shown} is not what {result} gives for {name}, {new}: run docs/numbers.py")
+        return f"<!--={result}:{name}-->{new}<!--/-->"
+
+    return re.sub(r"<!--=([\w-]+):([^ >]+?)-->(.*?)<!--/-->", told, text), faults
 
 
 def kept(name):
@@ -142,6 +240,8 @@ def kept(name):
 
 def slim(name, result):
     """What the pages need of a result."""
+    if name == "evidence":
+        return {"measured": result}
     if name == "readings":
         return {"readings": result["readings"]}
     if name == "main":
@@ -149,11 +249,37 @@ def slim(name, result):
     cases = {}
     for case in result["cases"]:
         counts = dict.fromkeys(("right", "right with warning", "refused", "WRONG", "~"), 0)
+        values = {verdict: [] for verdict in counts if verdict != "~"}
         for row in case["rows"]:
             counts[row["verdict"]] += 1
             counts["~"] += row["loose"]
-        cases[case["name"]] = counts
+            # Where a variant is refused, or warns, that is told, whatever others do.
+            values[row["verdict"]].append(row["value"])
+        judged = [row for row in case["rows"] if row["error"] and row["bound"]]
+        nearest = max(judged, key=lambda row: row["error"] / row["bound"], default=None)
+        cases[case["name"]] = {
+            "reference": case["reference"],
+            "parameter": case["parameter"],
+            "unit": case["unit"],
+            "counts": counts,
+            "values": {verdict: sorted({value for value in of if value is not None}) for verdict, of in values.items()},
+            "nearest": nearest and {key: nearest[key] for key in ("variant", "value", "error", "bound")},
+        }
     return {"cases": cases}
+
+
+def read(name, place):
+    """A new result: a file of a folder, or for `evidence` the file that tests wrote."""
+    if name != "evidence":
+        return json.loads((place / f"{name}.json").read_text(encoding="utf-8"))
+    measured = {}
+    for line in place.read_text(encoding="utf-8").splitlines():
+        kind, key, value = line.split(" ")
+        value = float(value) if re.search(r"[.eE]|inf|NaN", value) else int(value)
+        # A test that is run twice, or beside others, tells the same names again.
+        measured[key] = [kind, max(value, measured.get(key, [kind, value])[1]) if kind == "at-most" else value]
+    natural = lambda key: [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", key)]
+    return {key: measured[key] for key in sorted(measured, key=natural)}
 
 
 def take(name, folder):
@@ -164,7 +290,7 @@ def take(name, folder):
     processors = re.findall(r"^model name\s*: (.*)$", cpus.read_text(encoding="utf-8"), re.MULTILINE) if cpus.exists() else []
     machine = f"{processors[0] if processors else platform.processor()}, {len(processors) or '?'} cores, {platform.system()}"
     made_by = {"command": COMMANDS[name], "commit": commit, "machine": machine}
-    result = made_by | slim(name, json.loads((folder / f"{name}.json").read_text(encoding="utf-8")))
+    result = made_by | slim(name, read(name, folder))
     kept(name).write_text(json.dumps(result, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     for picture in PICTURES[name]:
         shutil.copy(folder / picture, PAGES / picture)
@@ -189,6 +315,12 @@ def pages(check):
             faults.append(f"docs/{page}: the block {block} is not what {kept(name).relative_to(ROOT)} gives: run docs/numbers.py")
         elif not check:
             path.write_text(before + begin + new + end + after, encoding="utf-8")
+    for path in [*sorted(PAGES.glob("*.md")), ROOT / "README.md"]:
+        text = path.read_text(encoding="utf-8")
+        new, wrong = inline(path.name, text, check)
+        faults += wrong
+        if not check and new != text:
+            path.write_text(new, encoding="utf-8")
     return faults
 
 
@@ -203,6 +335,20 @@ def differences(old, new, place):
     if isinstance(old, float) and isinstance(new, float) and math.isclose(old, new, rel_tol=AGREES, abs_tol=1e-9):
         return []
     return [] if old == new else [f"{place}: {old} is kept, the run gives {new}"]
+
+
+def other_measurements(old, new):
+    """What tests measure that is worse than what is kept, or another number, or lacking. A faster build may leave release tests out."""
+    faults = []
+    for key, (kind, value) in new["measured"].items():
+        _, known = old["measured"].get(key, (kind, None))
+        if known is None:
+            faults.append(f"evidence.{key}: {value} is measured, and nothing kept")
+        elif kind == "at-most" and not value <= max(WORSE * known, 1e-20):
+            faults.append(f"evidence.{key}: {known} is kept, the test gives {value}")
+        elif kind == "number" and not math.isclose(value, known, rel_tol=OF_TESTS, abs_tol=1e-12):
+            faults.append(f"evidence.{key}: {known} is kept, the test gives {value}")
+    return faults
 
 
 def main():
@@ -220,8 +366,8 @@ def main():
     faults = pages(options.check)
     if options.run:
         name, folder = options.run
-        old, new = (json.loads(path.read_text(encoding="utf-8")) for path in (kept(name), Path(folder) / f"{name}.json"))
-        faults += differences(old, slim(name, new), name)
+        old, new = json.loads(kept(name).read_text(encoding="utf-8")), slim(name, read(name, Path(folder)))
+        faults += other_measurements(old, new) if name == "evidence" else differences(old, new, name)
     for fault in faults:
         print(f"FAULT: {fault}")
     return 1 if faults else 0

@@ -48,7 +48,7 @@ pub use time::{Output, Time};
 
 /// Items for the project's own crates only.
 pub(crate) mod inside {
-    pub use crate::model::builtin::{builtin_names, builtin_text};
+    pub use crate::model::builtin::{builtin_names, builtin_text, scene_text};
     pub use crate::model::json::words::Words;
     pub use crate::model::nearest::nearest;
     pub use crate::model::plan::{Part, Plan};

@@ -6,6 +6,7 @@ mod common;
 
 use ancf::model::{Method, Scene};
 use ancf::run::run;
+use common::evidence;
 use common::pendulum::Pendulum;
 
 fn tips(name: &str, elements: usize, method: Method, step: f64, end: f64) -> Vec<[f64; 2]> {
@@ -33,6 +34,7 @@ fn the_flexible_tip_converges_with_the_mesh() {
     let tip = [8, 16, 32].map(|n| *tips("pendulum-flexible", n, Method::Explicit, 1e-5, 2.0).last().unwrap());
     let changes = [distance(tip[0], tip[1]), distance(tip[1], tip[2])];
     println!("tip at 2 s, 8 → 16 → 32 elements: {changes:?} m");
+    evidence::numbers("convergence.flexible", &changes);
     assert!(changes[0] <= 2e-4 && changes[1] <= 5e-5, "{changes:?} m");
 }
 
@@ -46,6 +48,7 @@ fn the_suddenly_heated_tip_converges_slowly_with_the_mesh() {
             |a: &[[f64; 2]], b: &[[f64; 2]]| a.iter().zip(b).map(|(a, b)| distance(*a, *b)).fold(0.0, f64::max);
         let changes = [0, 1].map(|n| change(&tip[n][rows.clone()], &tip[n + 1][rows.clone()]));
         println!("2D sudden, {window}: 8 → 16 → 32 elements change the tip by {changes:?} m");
+        evidence::numbers(&format!("convergence.sudden-from-{}", rows.start), &changes);
         assert!(rows.start > 0 || changes[1] <= 3e-4, "{changes:?}");
     }
 }
@@ -70,6 +73,7 @@ fn observed_order_with_eight_elements() {
             steps.iter().map(|&step| largest(&tips("pendulum-flexible", 8, method, step, 0.5), &reference)).collect();
         let orders: Vec<f64> = errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect();
         println!("{method}: errors {errors:?} m at {steps:?} s, orders {orders:?}");
+        evidence::numbers(&format!("convergence.orders.{method}"), &orders);
         let overall = orders.iter().sum::<f64>() / orders.len() as f64;
         let expected = if method == Method::Nystrom { 3.0..4.5 } else { 1.3..2.3 };
         assert!(expected.contains(&overall), "{method}: {overall:.2} over all, {orders:?}");
@@ -85,5 +89,6 @@ fn coarse_steps_miss_the_heat_shock() {
     let errors = tip.iter().zip(&oracle.run("2d-sudden-4").tip).map(|(a, b)| distance(*a, *b));
     let largest = errors.fold(0.0, f64::max);
     println!("energy–momentum at 1e-3 s, 4 elements, 2D sudden, 0–0.5 s: {largest:.1e} m off");
+    evidence::number("convergence.coarse-shock", largest);
     assert!(largest > 1e-3, "{largest:.1e} m: better than it was; the README's warning is out of date");
 }

@@ -13,6 +13,7 @@ use ancf::internals::equations::{CONTENTS, Entry};
 use ancf::internals::state::evaluate_system;
 use ancf::state::{evaluate, evaluate_cable};
 use common::cable::{self, cables};
+use common::evidence;
 use common::scale::scale;
 use common::system::{Terms, systems};
 use common::{Case, Equations, TOLERANCE, cases, within, worst_ratio};
@@ -22,22 +23,25 @@ static EQUATIONS: LazyLock<Equations> = LazyLock::new(Equations::load);
 #[test]
 fn every_equation_meets_the_oracle_in_every_state() {
     let entries = CONTENTS.iter().filter(|entry| !entry.is_of_a_structure() && !entry.is_of_a_cable());
-    meet_the_oracle(entries.collect(), EQUATIONS.cases(), evaluate, scale);
+    meet_the_oracle("paper", entries.collect(), EQUATIONS.cases(), evaluate, scale);
 }
 
 #[test]
 fn the_cable_meets_the_oracle_in_every_state() {
     let entries = CONTENTS.iter().filter(|entry| entry.is_of_a_cable());
-    meet_the_oracle(entries.collect(), cases(&cables(), 20), evaluate_cable, cable::scale);
+    meet_the_oracle("cable", entries.collect(), cases(&cables(), 20), evaluate_cable, cable::scale);
 }
 
 /// Every entry's value in every case.
 fn meet_the_oracle<S>(
+    name: &str,
     entries: Vec<&Entry>,
     cases: Vec<Case<S>>,
     evaluate: fn(&str, &S) -> Option<Vec<f64>>,
     scale: fn(&str, &Case<S>) -> Vec<f64>,
 ) {
+    evidence::number(&format!("equations.{name}-states"), cases.len());
+    evidence::number(&format!("equations.{name}-quantities"), entries.len());
     // The last states are the random ones, where a mistake shows first.
     for case in cases.into_iter().rev() {
         let mut failures = Vec::new();

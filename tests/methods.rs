@@ -6,6 +6,7 @@ mod common;
 use ancf::error::Error;
 use ancf::model::{Element, Force, Method, Scene, Start, Temperature, ThermalModel};
 use ancf::run::{Run, run};
+use common::evidence;
 use common::motion::{Path, farthest, must_run, positions, velocities};
 use common::pendulum::Pendulum;
 
@@ -52,6 +53,7 @@ fn largest(run: &Run, column: &str) -> f64 {
 fn assert_order(what: &str, errors: &[f64], least: f64) {
     let orders: Vec<f64> = errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect();
     println!("{what}: errors {errors:?} m, orders {orders:.2?}");
+    evidence::numbers(&format!("methods.orders.{}", what.replace(", ", "-").replace(' ', "-")), &orders);
     // A NaN fails.
     assert!(orders.iter().all(|order| (least..4.5).contains(order)), "{what}: orders {orders:.2?}, errors {errors:?}");
 }
@@ -105,6 +107,7 @@ fn both_meet_the_oracle() {
         for method in [Method::Gauss, Method::Nystrom] {
             let distance = from_oracle(&pendulum(element, method, step), id);
             println!("{method}, {element}, step {step:e} s: {distance:.1e} m from the oracle");
+            evidence::at_most("methods.oracle", distance);
             assert!(distance <= 1e-10, "{method}, {element}: {distance:.2e} m");
         }
     }
@@ -266,6 +269,7 @@ fn the_error_falls_with_the_tolerance() {
         let errors: Vec<f64> =
             (5..=11).map(|n| from_oracle(&adaptive(element, method, 10f64.powi(-n)), id) * 10f64.powi(n)).collect();
         println!("{method}, {element}: errors {errors:.2?} tolerances");
+        evidence::numbers(&format!("methods.tolerances.{method}"), &errors);
         let (least, most) = if method == Method::GaussAdaptive { (0.2, 2.5) } else { (0.05, 0.6) };
         assert!(errors.iter().all(|error| (least..most).contains(error)), "{method}: {errors:?} tolerances");
     }
@@ -274,6 +278,7 @@ fn the_error_falls_with_the_tolerance() {
         let errors: Vec<f64> =
             (5..=9).map(|n| from_oracle(&adaptive(element, method, 10f64.powi(-n)), id) * 10f64.powi(n)).collect();
         println!("{method}, {element}: errors {errors:.2?} tolerances");
+        evidence::numbers(&format!("methods.tolerances-paper.{method}"), &errors);
         assert!(errors.iter().all(|error| *error <= 10.0), "{method}: {errors:?} tolerances");
     }
 }
@@ -357,6 +362,7 @@ fn adaptive_methods_land_on_corners() {
             let run = must_run(&cornered(method, tolerance));
             let error = farthest(&positions(&run, "tip"), &exact) / tolerance;
             println!("{method}, {tolerance:e}: error {error:.2} tolerances, {:?}", run.counts);
+            evidence::number(&format!("methods.corners.{method}.{tolerance:e}"), error);
             assert!(error < most, "{method}, {tolerance:e}: {error} tolerances");
         }
     }

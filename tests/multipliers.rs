@@ -16,6 +16,7 @@ use ancf::internals::model::Scissors;
 use ancf::internals::structure::{Instant, Structure};
 use ancf::model::{Constraints, Direction, Method, Quantity, Scene, Support, ThermalModel};
 use ancf::run::Run;
+use common::evidence;
 use common::motion::{farthest, force_on, longest, must_run, positions, probe, reactions};
 use nalgebra::{DMatrix, DVector};
 
@@ -192,6 +193,8 @@ fn constraints_are_kept_along_the_run() {
             largest = [0, 1].map(|i| largest[i].max(residual[i]));
         });
         println!("steps of {step:e} s until {end} s: Φ {:.1e} m, Φ_q v {:.1e} m/s", largest[0], largest[1]);
+        evidence::at_most("multipliers.constraint", largest[0]);
+        evidence::at_most("multipliers.constraint-rate", largest[1]);
         assert!(largest[0] <= 1e-12 && largest[1] <= 1e-10, "{step:e}: {largest:?}");
         // What is measured can be seen to fail.
         let Moving { structure, state, .. } = &mut moving;
@@ -258,6 +261,7 @@ fn multipliers_keep_their_digits_at_small_steps() {
         let (condensed, multipliers) = (forces(&mut condensed).concat(), forces(&mut multipliers).concat());
         let off = farthest(&condensed, &multipliers) / longest(&condensed);
         println!("step {step:e} s: forces differ by {off:.1e} of the largest, {:.2e} N", longest(&condensed));
+        evidence::at_most("multipliers.step", off);
         assert!(off <= FORCE, "step {step:e} s: {off:.1e}");
     }
 }

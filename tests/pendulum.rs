@@ -12,6 +12,7 @@ mod common;
 
 use ancf::model::{Method, Scene};
 use ancf::run::{Run, run};
+use common::evidence;
 use common::pendulum::{OracleRun, Pendulum};
 
 fn scene(name: &str, elements: usize, method: Method, step: f64, end: f64) -> Scene {
@@ -49,6 +50,7 @@ fn meets_the_oracle(count: usize, pick: fn(&OracleRun) -> bool, step: f64) {
         assert!(run.error_estimate.position < 1e-9, "{}: the oracle is not sure enough itself", run.id);
         let distance = distance_from_oracle(run, Method::Explicit, step);
         println!("{}, step {step:e} s: {distance:.1e} m", run.id);
+        evidence::at_most(if sudden(run) { "pendulum.sudden" } else { "pendulum.smooth" }, distance);
         assert!(distance <= 1e-6, "{}: {distance:.2e} m", run.id);
     }
 }
@@ -84,6 +86,7 @@ fn implicit_methods_meet_the_oracle() {
         for method in [Method::EnergyMomentum, Method::GeneralizedAlpha] {
             let distance = distance_from_oracle(run, method, 2e-5);
             println!("{id}, {method}: {distance:.1e} m");
+            evidence::at_most("pendulum.implicit", distance);
             assert!(distance <= 1e-6, "{id}, {method}: {distance:.2e} m");
         }
     }
@@ -101,6 +104,7 @@ fn energy_momentum_keeps_the_energy() {
         let run = run(&scene).unwrap();
         let (imbalance, kinetic) = energies(&run);
         println!("{name}: balance kept to {:.1e} of the largest kinetic energy", imbalance / kinetic);
+        evidence::at_most("pendulum.balance", imbalance / kinetic);
         assert!(imbalance <= 1e-10 * kinetic, "{name}: {imbalance:.1e} J of {kinetic:.1e} J");
         assert_eq!(run.counts.steps, 2000);
     }

@@ -12,6 +12,7 @@ use ancf::error::Error;
 use ancf::model::{Element, Method, Model, Scene};
 use ancf::run::run_estimated;
 use ancf::run::{Run, run};
+use common::evidence;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -352,7 +353,13 @@ fn random(number: usize, seed: u8) -> Vec<(Scene, Run)> {
 
 #[test]
 fn random_scenes_neither_panic_nor_give_what_is_no_number() {
-    random(if cfg!(debug_assertions) { 400 } else { 10_000 }, 1);
+    let number = if cfg!(debug_assertions) { 400 } else { 10_000 };
+    let ran = random(number, 1).len();
+    if !cfg!(debug_assertions) {
+        evidence::number("random.scenes", number);
+        evidence::number("random.ran", ran);
+        evidence::number("random.refused", number - ran);
+    }
 }
 
 /// Those that ran, with an estimate, beside the same much finer: no estimate is missed by more than 20 times. A finer run may fail
@@ -406,6 +413,9 @@ fn estimates_of_random_scenes_hold() {
         "{compared} estimates compared; {stable} stable ones without a warning; no estimate: {refused:?}; no finer run: {no_finer:?}"
     );
     assert_eq!(compared, wanted);
+    if !cfg!(debug_assertions) {
+        evidence::number("random.estimated", compared);
+    }
     assert!(no_finer.values().sum::<usize>() * 10 <= wanted, "{no_finer:?}");
 }
 

@@ -7,6 +7,7 @@ use ancf::internals::model::Plan;
 use ancf::internals::run::run_planned;
 use ancf::model::{Method, Scene};
 use ancf::run::Run;
+use common::evidence;
 use common::motion::{farthest, must_run, positions};
 
 /// With a new matrix for every iteration.
@@ -39,6 +40,9 @@ fn a_matrix_serves_many_steps() {
         let distance = farthest(&positions(&reused, "tip"), &positions(&plain, "tip"));
         let (counts, of_plain) = (reused.counts, plain.counts);
         println!("{method}: {distance:.1e} m; {counts:?}; plain {of_plain:?}");
+        evidence::number(&format!("reuse.{method}.reused"), counts.factorizations);
+        evidence::number(&format!("reuse.{method}.plain"), of_plain.factorizations);
+        evidence::at_most("reuse.position", distance);
         assert_eq!((counts.steps, of_plain.steps), (1000, 1000));
         assert!(counts.factorizations < counts.steps, "{method}: {counts:?}");
         assert!(counts.newton_iterations > 2 * counts.factorizations, "{method}: {counts:?}");

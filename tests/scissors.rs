@@ -19,6 +19,7 @@ mod common;
 use ancf::internals::model::Scissors;
 use ancf::model::{Quantity, Scene, ThermalModel};
 use ancf::run::Run;
+use common::evidence;
 use common::motion::{Path, Placing, farthest, force_on, longest, must_run, positions, probe, reactions, velocities};
 use common::system::systems;
 use serde::Deserialize;
@@ -48,6 +49,7 @@ fn imbalance(run: &Run) -> f64 {
 fn assert_keeps_the_energy(what: &str, run: &Run) {
     let imbalance = imbalance(run);
     println!("{what}: the balance is kept to {imbalance:.1e} of the energy put in");
+    evidence::at_most("scissors.balance", imbalance);
     assert!(imbalance <= 1e-8, "{what}: {imbalance:.1e}");
 }
 
@@ -151,6 +153,7 @@ fn stiff_rods_move_like_the_rigid_mechanism() {
         assert!((rigid.t[29] - 2.9).abs() < 1e-12 && rigid.flat_at > 3.0);
         let off = farthest(&positions(&run, "a4"), &rigid.tip[..30]);
         println!("{elements} elements: {off:.1e} m from the rigid mechanism until 2.9 s");
+        evidence::at_most("scissors.rigid", off);
         assert!(off <= 1e-3, "{elements} elements: {off:.1e} m");
         assert_keeps_the_energy("stiff", &run);
     }
@@ -180,6 +183,7 @@ fn the_stiff_structure_goes_through_its_flat_position() {
     for (until, rows) in [(3.08, 8), (3.2, 20), (3.4, 40), (3.6, 60)] {
         let off = farthest(&tip[300..=300 + rows], &rigid[..=rows]);
         println!("3 … {until} s: {off:.1e} m from the rigid mechanism");
+        evidence::at_most("scissors.rigid-through", off);
         assert!(off <= 1e-3, "until {until} s: {off:.1e} m");
     }
     let down = rigid.last().unwrap()[1];

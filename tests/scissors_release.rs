@@ -9,6 +9,7 @@ use std::time::Instant;
 use ancf::internals::model::Scissors;
 use ancf::model::{Constraints, Method, Quantity, Scene};
 use ancf::run::Run;
+use common::evidence;
 use common::motion::{Path, farthest, force_on, longest, must_run, positions, probe, reactions};
 
 fn scissors(elements: usize, step: f64) -> Scene {
@@ -49,6 +50,8 @@ fn condensed_and_multipliers_are_the_same_motion_with_eight_elements() {
     let (position, force) = (worst(&["a4", "m1", "m3", "b4"], positions), worst(&names, reactions) / largest);
     println!("8 elements, 2.5e-4 s, 3 s: positions {position:.1e} m, forces {force:.1e} of the largest");
     println!("wall: condensed {:.1} s, multipliers {:.1} s", seconds[0], seconds[1]);
+    evidence::at_most("scissors.forms-position", position);
+    evidence::at_most("scissors.forms-force", force);
     assert!(position <= 1e-8 && force <= 1e-6, "{position:.1e} m, {force:.1e}");
 }
 
@@ -72,8 +75,8 @@ fn a4_converges_with_the_mesh_and_the_step() {
     let finest = &table[2][2];
     assert_eq!(finest.len(), 301);
     for (elements, row) in meshes.iter().zip(&table) {
-        let distances: Vec<String> = row.iter().map(|path| format!("{:.1e}", farthest(path, finest))).collect();
-        println!("{elements} elements, steps {steps:?} s: {} m from the finest", distances.join(", "));
+        let distances: Vec<f64> = row.iter().map(|path| farthest(path, finest)).collect();
+        evidence::numbers(&format!("scissors.a4-{elements}"), &distances);
     }
     let remaining = |coarse: &Path, middle: &Path, fine: &Path| {
         let (before, change) = (farthest(coarse, middle), farthest(middle, fine));
@@ -83,6 +86,7 @@ fn a4_converges_with_the_mesh_and_the_step() {
     };
     let space = remaining(&table[0][2], &table[1][2], finest);
     let time = remaining(&table[2][0], &table[2][1], finest);
-    println!("a4 at 8 elements, 2.5e-4 s: {space:.1e} m (mesh) + {time:.1e} m (step)");
+    evidence::number("scissors.a4-mesh", space);
+    evidence::number("scissors.a4-step", time);
     assert!(space + time <= 1e-4, "{space:.1e} + {time:.1e} m");
 }

@@ -13,6 +13,7 @@ use ancf::internals::model::Scissors;
 use ancf::internals::structure::Structure;
 use ancf::model::{Direction, Force, Method, Quantity, Rod, Scene, Support, Temperature, ThermalModel};
 use ancf::run::{Run, run};
+use common::evidence;
 use common::motion::{Placing, farthest, force_on, longest, must_run, positions, probe, reactions};
 
 /// The last row of a path.
@@ -96,6 +97,9 @@ fn a_slender_cantilever_takes_few_iterations() {
                 "h/L {height:e}, {elements} elements: {iterations} iterations, off by ({:.2e}, {:.2e})",
                 error[0], error[1]
             );
+            if height == 1e-3 {
+                evidence::number(&format!("statics.iterations.{elements}"), iterations);
+            }
             assert!(iterations <= 35, "h/L {height:e}, {elements} elements: {iterations} iterations");
             assert!((error[1].abs() / known - 1.0).abs() <= 0.2, "{elements}: {error:?}, known: {known:e}");
         }
@@ -176,6 +180,7 @@ fn loads_and_reactions_are_in_equilibrium_in_the_deformed_position() {
         let sum = out_of_balance(&scene, &run);
         println!("{what}: a1 moves by {moved:.1e} m, out of balance by {sum:.1e} of {bound:.1e} N");
         assert!(moved > 1e-4, "{what}: a1 hardly moves");
+        evidence::at_most("statics.equilibrium", sum / loads);
         assert!(sum <= bound, "{what}: {sum:.1e} N, allowed {bound:.1e} N");
     }
 }
@@ -563,6 +568,7 @@ fn a_clamp_at_a_pivot_makes_two_cantilevers() {
         let two = tip(elements, [-1.0, 0.0], "m");
         let off = (two[1] - one[1]).abs() / one[1].abs();
         println!("{elements} elements: off by {off:.1e} of the deflection");
+        evidence::number(&format!("statics.odd.{elements}"), off);
         assert!(off <= bound, "{elements} elements: {two:?}, by itself {one:?}");
     }
 }

@@ -9,6 +9,7 @@ mod common;
 
 use ancf::model::{Constraints, Method, Model, Scene};
 use ancf::run::Run;
+use common::evidence;
 use common::motion::{farthest, longest, must_run, positions, reactions, velocities};
 use common::system::systems;
 use serde::Deserialize;
@@ -153,6 +154,7 @@ fn implicit_motions_meet_the_oracle_as_the_step_is_refined() {
             let orders = orders(&steps, &distances);
             println!("{id}, {method}: orders {orders:.2?}");
             assert!(orders.iter().all(|order| *order >= least_order), "{id}, {method}: {orders:.2?}");
+            evidence::at_most("two-rods.implicit", distances[2].position);
             assert_near(&format!("{id}, {method}"), distances[2], velocity, force);
         }
         assert_meets(&motion, Method::GeneralizedAlpha, Constraints::Multipliers, 1e-5, velocity, force);

@@ -1,5 +1,7 @@
 //! What can go wrong in a command.
 
+use std::path::PathBuf;
+
 /// Result with this crate's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
@@ -19,6 +21,34 @@ pub enum Error {
         error: ancf::error::Error,
         /// Error of its files.
         unwritten: Box<Error>,
+    },
+    /// Two runs cannot be compared.
+    #[error("{} and {} cannot be compared: {reason}; allowed: two runs of the same scene with the same rows", a.display(), b.display())]
+    Compare {
+        /// Table of a run.
+        a: PathBuf,
+        /// Table of the other.
+        b: PathBuf,
+        /// What keeps them apart.
+        reason: String,
+    },
+    /// A run's table cannot be read.
+    #[error("cannot read {}: {reason}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// Two runs differ.
+    #[error("the runs differ in {columns}, by up to {worst:.1e} of the largest value; allowed: {within:e} (--within)")]
+    RunsDiffer {
+        /// Columns that differ by more.
+        columns: String,
+        /// Largest difference.
+        worst: f64,
+        /// What counts as agreement.
+        within: f64,
     },
     /// A program under test could not be judged.
     #[error(transparent)]
@@ -64,8 +94,11 @@ impl Error {
             Error::Run(error) => error.is_bad_input(),
             Error::Study(error) => error.is_bad_input(),
             Error::Unwritten { error, .. } => error.is_bad_input(),
-            Error::Conform(_) => true,
-            Error::NotConforming { .. } | Error::NotRefusing { .. } | Error::OtherMotion { .. } => false,
+            Error::Conform(_) | Error::Compare { .. } | Error::Unreadable { .. } => true,
+            Error::RunsDiffer { .. }
+            | Error::NotConforming { .. }
+            | Error::NotRefusing { .. }
+            | Error::OtherMotion { .. } => false,
             Error::PartlyChecked { .. } => return 3,
         };
         if is_bad_input { 2 } else { 1 }

@@ -1,8 +1,10 @@
 //! What the program `ancf` writes: texts for people, the files and the page of a run, and the schemas of its files.
 
+pub mod compare;
 mod ends;
 pub mod error;
 mod frames;
+pub mod options;
 mod output;
 mod page;
 mod quantity;
@@ -10,7 +12,8 @@ pub mod report;
 pub mod run;
 mod schema;
 mod shapes;
-mod summary;
+pub mod source;
+pub mod summary;
 mod vtk;
 
 pub use schema::schemas;

@@ -13,11 +13,12 @@ use ancf_study::escape;
 use ancf_study::files::written_lines;
 use ancf_study::{error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use ancf_cli::error::{Error, Result};
-use ancf_cli::report;
-use ancf_cli::run::{self, Options};
+use ancf_cli::options::Options;
+use ancf_cli::summary::refused_line;
+use ancf_cli::{compare, report, run, source};
 
 /// Planar thermo-elastic ANCF beam (Peng et al. 2018).
 ///
@@ -43,8 +44,8 @@ struct Out {
 enum Command {
     /// Run one scene; writes trajectory.csv, summary.json and report.html, in which the structure moves.
     Run {
-        /// Name of a built-in scene, or path of a scene file.
-        scene: String,
+        #[command(flatten)]
+        scene: SceneArguments,
         /// Estimate the errors of all columns in time and space by finer runs, and try the stability of the motion by a perturbed
         /// one: some six times the work.
         #[arg(long)]
@@ -55,6 +56,9 @@ enum Command {
         /// Write no report.html, and compute nothing for it.
         #[arg(long)]
         no_report: bool,
+        /// Print the summary as one line of JSON in place of a text: also of a run that fails, and of a scene that is refused.
+        #[arg(long)]
+        summary_line: bool,
         #[command(flatten)]
         out: Out,
         // Last, as the heading of its options holds for what follows.
@@ -95,8 +99,8 @@ enum Command {
     },
     /// Say what is computed for a scene, what is left out, and why.
     Plan {
-        /// Name of a built-in scene, or path of a scene file.
-        scene: String,
+        #[command(flatten)]
+        scene: SceneArguments,
         #[command(flatten)]
         scissors: ScissorsOptions,
     },
@@ -106,9 +110,16 @@ enum Command {
         /// a stored one, also of a case of fixtures/structure.json (cable- stands before the names of fixtures/cable.json).
         state: String,
     },
+    /// Compare two runs column by column: by how much they differ, and where. Exit code 1 if by more than --within.
+    Compare(Compare),
     /// Test another implementation: which equation is wrong, and what kind of mistake fits; writes conformance.json and
     /// conformance.md.
     Conform(conform::Arguments),
+    /// Print a script that completes commands and options in a shell.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
     /// List the built-in scenes.
     Scenes,
     /// Print a built-in scene as JSON, a file to start from.
@@ -118,6 +129,34 @@ enum Command {
         #[command(flatten)]
         scissors: ScissorsOptions,
     },
+}
+
+/// A scene, and changes to it.
+#[derive(clap::Args)]
+struct SceneArguments {
+    /// Name of a built-in scene; path of a scene file, or of a summary.json, whose run is repeated; `-`: standard input.
+    scene: String,
+    /// Change a key of the scene, any number of times: time.step=1e-4, rods.0.elements=16, or an entry of a list by its name,
+    /// rods.boom.elements=16. The value is JSON, or a word.
+    #[arg(long, value_name = "KEY=VALUE")]
+    set: Vec<String>,
+}
+
+/// Two runs to be compared.
+#[derive(clap::Args)]
+struct Compare {
+    /// Folder of a run, or its trajectory.csv.
+    a: PathBuf,
+    /// Folder of the other run, or its trajectory.csv.
+    b: PathBuf,
+    /// Largest difference that counts as agreement, over the largest value in the column.
+    #[arg(long, value_name = "PART", default_value_t = 1e-9, value_parser = part)]
+    within: f64,
+}
+
+/// Reads a part, 0 or more.
+fn part(text: &str) -> std::result::Result<f64, &'static str> {
+    text.parse().ok().filter(|part: &f64| *part >= 0.0).ok_or("allowed: a number from 0 on, such as 1e-9")
 }
 
 /// What can be changed in the scenes `scissors-<n>`.
@@ -167,9 +206,9 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let outcome = match &cli.command {
         None => ancf_study::main_job(&cli.out.folder, print).map_err(Error::from),
-        Some(Command::Run { scene, estimate, vtk, no_report, out, scissors }) => {
-            let options = Options { estimate: *estimate, page: !no_report, vtk: *vtk };
-            run_scene(scene, options, scissors, &out.folder)
+        Some(Command::Run { scene, estimate, vtk, no_report, summary_line, out, scissors }) => {
+            let options = Options { estimate: *estimate, page: !no_report, vtk: *vtk, set: &scene.set };
+            run_scene(scene, options, *summary_line, scissors, &out.folder)
         }
         Some(Command::ErrorTime { scenes, references: Some(folder), .. }) => write_references(scenes, folder),
         Some(Command::ErrorTime { scenes, out, peers, quick, .. }) => {
@@ -181,6 +220,11 @@ fn main() -> ExitCode {
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
         Some(Command::Readings { out }) => ancf_study::readings(&out.folder, print).map_err(Error::from),
         Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
+        Some(Command::Compare(Compare { a, b, within })) => compare_runs(a, b, *within),
+        Some(Command::Completions { shell }) => {
+            clap_complete::generate(*shell, &mut Cli::command(), "ancf", &mut io::stdout());
+            Ok(())
+        }
         Some(Command::Scenes) => list_scenes(),
         Some(Command::Scene { name, scissors }) => print_scene(name, scissors),
     };
@@ -195,16 +239,41 @@ fn main() -> ExitCode {
 }
 
 /// `ancf run`.
-fn run_scene(name: &str, options: Options, scissors: &ScissorsOptions, folder: &Path) -> Result<()> {
-    let text = run::run(&load(name, scissors)?, name, options, folder)?;
-    Ok(print(&text)?)
+fn run_scene(
+    scene: &SceneArguments,
+    options: Options,
+    summary_line: bool,
+    scissors: &ScissorsOptions,
+    folder: &Path,
+) -> Result<()> {
+    let told = load(scene, scissors).and_then(|model| run::run(&model, &scene.scene, options, folder));
+    if summary_line {
+        let line = match &told {
+            Ok(told) => told.line.clone(),
+            Err(error) => refused_line(&scene.scene, &scene.set, &error.to_string()),
+        };
+        print_data(&line)?;
+    }
+    let told = told?;
+    if !summary_line {
+        print(&told.text)?;
+    }
+    told.error.map_or(Ok(()), Err)
 }
 
-/// The model of a name or path, with the changes that options ask for.
-fn load(name: &str, options: &ScissorsOptions) -> Result<Model> {
-    match options.change(name)? {
-        Some(scissors) => Ok(scissors.scene()?.build()?),
-        None => Ok(Model::load(name)?),
+/// `ancf compare`.
+fn compare_runs(a: &Path, b: &Path, within: f64) -> Result<()> {
+    let comparison = compare::compare(a, b)?;
+    print(&comparison.text(within))?;
+    comparison.judge(within)
+}
+
+/// The model of a scene, with the changes that options ask for.
+fn load(scene: &SceneArguments, options: &ScissorsOptions) -> Result<Model> {
+    let SceneArguments { scene, set } = scene;
+    match options.change(scene)? {
+        Some(scissors) => Ok(source::parse(&scissors.scene()?.to_text(), scene, set)?),
+        None => Ok(source::load(scene, set)?),
     }
 }
 
@@ -214,8 +283,8 @@ fn print_equations(state: &str) -> Result<()> {
 }
 
 /// `ancf plan`.
-fn print_plan(name: &str, options: &ScissorsOptions) -> Result<()> {
-    let model = load(name, options)?;
+fn print_plan(scene: &SceneArguments, options: &ScissorsOptions) -> Result<()> {
+    let model = load(scene, options)?;
     Ok(print(&report::plan_text(model.scene()))?)
 }
 

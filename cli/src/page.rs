@@ -34,6 +34,9 @@ const DIGITS: usize = 6;
 
 /// Text of the page.
 pub fn page_text(summary: &Summary, scene: &Scene, trajectory: &Trajectory, frames: &Frames) -> String {
+    // Equal inputs give equal pages: the time of the clock is in summary.json alone.
+    let mut summary = serde_json::json!(summary);
+    summary.as_object_mut().and_then(|keys| keys.remove("wall_seconds"));
     let data = Data {
         program: concat!("ancf ", env!("CARGO_PKG_VERSION")),
         summary,
@@ -57,8 +60,8 @@ pub fn page_text(summary: &Summary, scene: &Scene, trajectory: &Trajectory, fram
 #[derive(Serialize)]
 struct Data<'a> {
     program: &'static str,
-    /// Content of `summary.json`.
-    summary: &'a Summary<'a>,
+    /// Content of `summary.json`, without the time that the run took.
+    summary: serde_json::Value,
     statics: bool,
     /// Rows in each group of a thinned chart; 1 where every row is shown.
     rows_each: usize,

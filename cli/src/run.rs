@@ -11,38 +11,37 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::error::{Error, Result};
 use crate::frames::Frames;
-use crate::output::{self, Output};
+use crate::options::Options;
+use crate::output::{self, Output, Written};
 use crate::report;
 
-/// What is done beside the run itself.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Estimate the errors.
-    pub estimate: bool,
-    /// Write `report.html`.
-    pub page: bool,
-    /// Write files for ParaView.
-    pub vtk: bool,
+/// What a run leaves to be told, after its files are written.
+pub struct Told {
+    /// For people.
+    pub text: String,
+    /// The summary as one line of JSON, for programs.
+    pub line: String,
+    /// What ended the run.
+    pub error: Option<Error>,
 }
 
-/// Runs a model, `name` of which is a built-in scene or a file, and writes its files into `folder`; returns what a person
-/// reads of it.
+/// Runs a model, `name` of which is a built-in scene or a file, and writes its files into `folder`, also those of a run that fails.
 ///
 /// # Errors
-/// Bad input; files that cannot be written; the run's own failure, whose files are written nevertheless.
-pub fn run(model: &Model, name: &str, options: Options, folder: &Path) -> Result<String> {
+/// Bad input; files that cannot be written.
+pub fn run(model: &Model, name: &str, options: Options, folder: &Path) -> Result<Told> {
     let scene = model.scene();
     // First, so that a folder that cannot be written is not found after the run.
     let files = Files::in_folder(folder, output::FILES, &[Path::new(name)])?.numbered(&output::NUMBERED);
     let clock = Instant::now();
-    let mut output = Output::new(scene, options.page, options.vtk);
+    let mut output = Output::new(scene, options);
     let mut simulation = match Simulation::new(model.clone()) {
         Ok(simulation) => simulation,
         Err(error) if error.is_bad_input() => return Err(error.into()),
         Err(error) => {
             let run =
                 Run { trajectory: Trajectory { columns: scene.columns(), ..Trajectory::default() }, ..Run::default() };
-            return Err(failed(files, &output, &run, error, clock.elapsed().as_secs_f64()));
+            return failed(files, &output, &run, error, clock.elapsed().as_secs_f64());
         }
     };
     let bar = progress(scene.steps());
@@ -61,11 +60,12 @@ pub fn run(model: &Model, name: &str, options: Options, folder: &Path) -> Result
     match outcome {
         Ok(run) => {
             output.frames().for_each(|frames| frames.end(&simulation));
-            let paths = output.write(files, &run, None, wall_seconds)?;
-            Ok(report::run_text(scene, &run, wall_seconds) + &written_text(&paths))
+            let Written { paths, line } = output.write(files, &run, None, wall_seconds)?;
+            let text = report::run_text(scene, &run, wall_seconds) + &written_text(&paths);
+            Ok(Told { text, line, error: None })
         }
         Err(error) if error.is_bad_input() => Err(error.into()),
-        Err(error) => Err(failed(files, &output, &simulation.into_run(), error, wall_seconds)),
+        Err(error) => failed(files, &output, &simulation.into_run(), error, wall_seconds),
     }
 }
 
@@ -80,11 +80,11 @@ fn written_text(paths: &[PathBuf]) -> String {
     written_lines(&own) + &others
 }
 
-/// Writes what there is of a run that failed, and returns its error.
-fn failed(files: Files, output: &Output, run: &Run, error: ancf::error::Error, wall_seconds: f64) -> Error {
+/// Writes what there is of a run that failed.
+fn failed(files: Files, output: &Output, run: &Run, error: ancf::error::Error, wall_seconds: f64) -> Result<Told> {
     match output.write(files, run, Some(&error), wall_seconds) {
-        Ok(_) => error.into(),
-        Err(unwritten) => Error::Unwritten { error, unwritten: Box::new(unwritten) },
+        Ok(Written { line, .. }) => Ok(Told { text: String::new(), line, error: Some(error.into()) }),
+        Err(unwritten) => Err(Error::Unwritten { error, unwritten: Box::new(unwritten) }),
     }
 }
 

@@ -35,7 +35,12 @@ pub struct Summary<'a> {
     /// Time of the last row of `trajectory.partial.csv`, s, the load factor in statics; null if there is none. Of runs that failed.
     #[serde(skip_serializing_if = "Option::is_none")]
     last_good_time: Option<Option<f64>>,
-    /// The scene that was run.
+    /// The program that ran it.
+    program: Program,
+    /// Changes of the scene by `--set`, as they were given.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    set: &'a [String],
+    /// The scene that was run, with these changes.
     scene: &'a Scene,
     /// What was computed and what was left out.
     plan: Vec<Part>,
@@ -47,7 +52,7 @@ pub struct Summary<'a> {
     newton_iterations: usize,
     /// Counters of the work.
     counts: &'a Counts,
-    /// Run time, s.
+    /// Run time, s: the only number of a run's files that differs when the run is repeated.
     wall_seconds: f64,
     /// The last row.
     #[serde(rename = "final")]
@@ -61,12 +66,21 @@ pub struct Summary<'a> {
 impl<'a> Summary<'a> {
     /// Summary of a run: the scene, what the run took, where the probes ended, and what is known of the accuracy. `id` is
     /// that of the run's table; `error` ended the run, which then holds what there was until then.
-    pub fn of(id: &'a str, scene: &'a Scene, run: &'a Run, error: Option<&Error>, wall_seconds: f64) -> Summary<'a> {
+    pub fn of(
+        id: &'a str,
+        scene: &'a Scene,
+        set: &'a [String],
+        run: &'a Run,
+        error: Option<&Error>,
+        wall_seconds: f64,
+    ) -> Summary<'a> {
         Summary {
             run: id,
             status: if error.is_some() { Status::Failed } else { Status::Ok },
             error: error.map(Error::to_string),
             last_good_time: error.map(|_| final_time(run)),
+            program: Program::default(),
+            set,
             scene,
             plan: Plan::of(scene).parts(scene),
             method: scene.time.method,
@@ -88,6 +102,46 @@ impl<'a> Summary<'a> {
             },
         }
     }
+}
+
+/// The program that ran a scene.
+#[derive(Serialize, JsonSchema)]
+struct Program {
+    /// Its version.
+    version: &'static str,
+    /// The commit that it was built from, as `git describe --always --dirty` names it; left out where that is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    commit: Option<&'static str>,
+    /// Processor and system, such as x86_64-linux.
+    platform: String,
+}
+
+impl Default for Program {
+    fn default() -> Program {
+        Program {
+            version: env!("CARGO_PKG_VERSION"),
+            commit: option_env!("ANCF_COMMIT"),
+            platform: format!("{}-{}", std::env::consts::ARCH, std::env::consts::OS),
+        }
+    }
+}
+
+/// The line of `--summary-line`, of a scene that was refused: nothing was run.
+pub fn refused_line(scene: &str, set: &[String], error: &str) -> String {
+    #[derive(Serialize)]
+    struct Refused<'a> {
+        status: &'static str,
+        error: &'a str,
+        scene: &'a str,
+        set: &'a [String],
+    }
+    line(&Refused { status: "refused", error, scene, set })
+}
+
+/// JSON in one line.
+pub fn line(of: &impl Serialize) -> String {
+    // Data of this crate's own types is always JSON.
+    serde_json::to_string(of).unwrap_or_default() + "\n"
 }
 
 /// How a run ended.
@@ -166,7 +220,7 @@ mod tests {
 
     fn summary(scene: &Scene, run: &Run) -> Value {
         let mut text = Vec::new();
-        write_summary(&mut text, &Summary::of("0f", scene, run, None, 0.25)).unwrap();
+        write_summary(&mut text, &Summary::of("0f", scene, &[], run, None, 0.25)).unwrap();
         serde_json::from_slice(&text).unwrap()
     }
 

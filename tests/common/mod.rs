@@ -9,6 +9,7 @@ use serde_json::Value;
 
 pub mod cable;
 pub mod column;
+pub mod evidence;
 pub mod motion;
 pub mod pendulum;
 pub mod references;

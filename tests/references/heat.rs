@@ -4,6 +4,7 @@ use ancf::internals::elements::Meaning;
 use ancf::model::{Quantity, Scene, Support, Temperature, ThermalModel};
 use ancf::run::run;
 
+use crate::common::evidence;
 use crate::common::motion::{Placing, probe, reactions};
 use crate::common::references::{Kind, Reference, References, Shape, rod, solve};
 
@@ -62,6 +63,7 @@ fn a_free_heated_rod_takes_the_stretches_without_stress() {
             let thickness = (kind != Kind::EulerBernoulli).then(|| reference.value("thickness"));
             let error = stretched(&shape, reference.value("stretch"), thickness);
             println!("{kind:?}, {model:?}, {}, {elements} elements: off by {error:.1e}", reference.id());
+            evidence::at_most("references.free-heat", error);
             assert!(error <= UNIFORM, "{kind:?}, {model:?}, {}, {elements}: {error:.1e}", reference.id());
         }
     }
@@ -96,6 +98,7 @@ fn a_heated_rod_between_walls_bears_the_force() {
                     largest = largest.max(error);
                 }
             }
+            evidence::at_most("references.heat-between-walls", largest);
             let thickness = (kind != Kind::EulerBernoulli).then(|| reference.value("thickness"));
             let error = stretched(&solve(&scene), 1.0, thickness);
             println!(

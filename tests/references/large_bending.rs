@@ -3,6 +3,7 @@
 use ancf::model::Scene;
 use nalgebra::Vector2;
 
+use crate::common::evidence;
 use crate::common::references::{EI, Kind, References, assert_stored, length, off, push, rod, slender, solve};
 
 fn push_in(scene: Scene, F: f64, load_steps: usize) -> Scene {
@@ -72,6 +73,9 @@ fn slender_rods_approach_the_elastica_slowly() {
             let (y, error) = (at.y - elastica.value("tip.y"), off(at, elastica.tip()));
             println!("{kind:?}, h/L = {h:e}, {elements:2} elements: y off by {y:+.4e} L, the tip by {error:.4e} L");
             assert_stored(&format!("{kind:?}, {h:e}, {elements}, y"), y, *stored_y);
+            if (kind, h) == (Kind::Paper, 1e-3) {
+                evidence::number(&format!("references.elastica.{doubled}"), error);
+            }
             assert_stored(&format!("{kind:?}, {h:e}, {elements}"), error, *stored_tip);
         }
     }
@@ -142,6 +146,10 @@ fn each_element_converges_to_its_own_limit() {
                 assert!(angle <= 2.0 * error, "{kind:?}, {id}, {elements}: angle off by {angle:.4e}");
             }
             before = error;
+            if doubled + 1 == 3 + errors.len() {
+                evidence::number(&format!("references.own-limit.{id}"), error);
+                evidence::number(&format!("references.own-limit-order.{id}"), order);
+            }
         }
         assert!((order - stored_order).abs() <= 0.05, "{kind:?}, {id}: order {order:.2}, stored {stored_order}");
     }
@@ -178,6 +186,7 @@ fn reissners_beam_is_another_limit_and_by_how_much() {
         let gap = [gap.x, gap.y, fine.angle() - reissner.value("tip.angle")];
         let [x, y, angle] = gap;
         println!("{kind:?}, {beam}, {variant}: tip {x:+.6e}, {y:+.6e} L, angle {angle:+.6e} from Reissner's");
+        evidence::number(&format!("references.from-reissner.{beam}-{variant}"), x.hypot(y));
         for (gap, stored) in gap.iter().zip(stored) {
             assert!((gap / stored - 1.0).abs() <= 1e-5, "{beam}, {variant}: {gap:e}, stored {stored:e}");
         }

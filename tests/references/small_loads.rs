@@ -1,5 +1,6 @@
 //! Cantilevers under a load so small that the linear theory holds.
 
+use crate::common::evidence;
 use crate::common::references::{EI, Kind, Reference, References, length, push, rod, solve};
 
 /// The Green–Lagrange strain is linear for a tip of 10⁻⁸ L. What remains is the next term of the strain against the
@@ -26,6 +27,7 @@ fn one_element_is_exact_at_any_slenderness() {
             let error = error_of(shape.tip().y, deflection).max(error_of(shape.angle(), reference.value("tip.angle")));
             let bound = bound(&reference);
             println!("{kind:?}, {}: tip and angle off by {error:.1e}, allowed {bound:.1e}", reference.id());
+            evidence::at_most("references.one-element", error);
             assert!(error <= bound, "{kind:?}, {}: {error:.1e}, allowed {bound:.1e}", reference.id());
         }
     }
@@ -78,6 +80,12 @@ fn poissons_ratio_locks_whatever_the_mesh_but_not_on_the_axis() {
             let error = error_of(shape.tip().y, "tip.y").max(error_of(shape.angle(), "tip.angle"));
             let of_free = shape.tip().y / free.value("tip.y");
             println!("{kind:?}, {elements} elements: {of_free:.9} of plane strain, {error:.1e} off {}", expected.id());
+            if kind == Kind::Axis {
+                evidence::at_most("references.poisson-on-the-axis", error);
+            } else {
+                evidence::at_most("references.locked", error);
+                evidence::number("references.locked-part", of_free);
+            }
             // Shear, which does not lock, has a share of the order (h/L)².
             assert!((of_free - share).abs() <= slenderness.powi(-2), "{kind:?}, {elements}: {of_free}");
             // Rounding grows with the number of elements.

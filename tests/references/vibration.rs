@@ -5,6 +5,7 @@ use ancf::internals::structure::Structure;
 use ancf::model::{Direction, Method, Scene, Support};
 use nalgebra::DVector;
 
+use crate::common::evidence;
 use crate::common::references::{Kind, References, assert_stored, rod, vectors};
 
 /// Unknowns of v and of the sections' turning of a rod along x.
@@ -93,6 +94,7 @@ fn frequencies_fall_to_those_of_the_theory_with_order_four() {
             let [e_8, e_16, e_32] = errors.map(|errors| errors[n]);
             let order = (e_16 / e_32).log2();
             println!("{kind:?}, {id}, mode {}: {e_8:+.3e}, {e_16:+.3e}, {e_32:+.3e}, order {order:.2}", n + 1);
+            evidence::number(&format!("references.vibration-order.{id}-{}", n + 1), order);
             assert!(e_32 > 0.0, "{id}, mode {}: from below", n + 1);
             assert_stored(&format!("{kind:?}, {id}, 8 elements, mode {}", n + 1), e_8, eight[n]);
             assert_stored(&format!("{kind:?}, {id}, 16 elements, mode {}", n + 1), e_16, sixteen[n]);

@@ -45,7 +45,6 @@ function facts() {
   add(summary.method, data.statics ? "" : "method");
   add(summary.steps, data.statics ? "load steps" : `steps up to ${short(summary.final.t ?? 0)} s`);
   add(counts.newton_iterations, "Newton iterations");
-  add(text(summary.wall_seconds, 3), "s of computing");
   find("foot").append(`${data.program} · run `, element("code", summary.run), " · data: ");
   find("foot").append(element("code", summary.status === "failed" ? "trajectory.partial.csv" : "trajectory.csv"), ", ", element("code", "summary.json"));
   if (data.rows_each > 1) find("foot").append(` · charts show the smallest and the largest of each ${data.rows_each} rows`);
