@@ -92,6 +92,22 @@ class Determinant(Node):
         return sympy.Matrix(self.parts[0].value(reading).rows).det()
 
 
+class Kronecker(Node):
+    """Every entry of a matrix times another matrix."""
+
+    level = PRODUCT
+
+    def __init__(self, entries, block):
+        self.parts = [entries, block]
+
+    def tex(self):
+        return rf"{self.parts[0].tex()} \otimes {self.parts[1].tex()}"
+
+    def value(self, reading):
+        entries, block = (part.value(reading) for part in self.parts)
+        return Matrix([[a * b for a in row for b in line] for row in entries.rows for line in block.rows])
+
+
 class Along(Node):
     """The integral of an expression of sympy over one variable."""
 
@@ -196,25 +212,25 @@ def one(entry, name):
     return entry.derivative(name) if isinstance(entry, fmpq_mpoly) else sympy.diff(entry, name)
 
 
-class Total(Node):
-    """A sum over i = 1, 2 of the formulas `term(i)`."""
+class Indexed(Node):
+    """A formula that depends on an index: `term(n)` for a number, `term("n")` to print."""
 
     level = PRODUCT
     spaced = True
+    index, last = "i", 2
 
-    def __init__(self, term, change=None):
-        self.term, self.change = term, change
+    def __init__(self, term, change=None, **choice):
+        self.term, self.change, self.choice = term, change, choice
+        self.__dict__.update(choice)
 
     def at(self, index):
-        """Term of an index, with the mistake if there is one."""
+        """Formula of an index, with the mistake if there is one."""
         term = self.term(index)
         return term if self.change is None else list(term.changes())[self.change][1]
 
-    def tex(self):
-        return rf"\sum_{{i=1}}^{{2}} {self.inside(self.at('i'), PRODUCT)}"
-
-    def value(self, reading):
-        return plus(self.at(1).value(reading), self.at(2).value(reading))
+    def values(self, reading):
+        """Values for all indices."""
+        return [self.at(k).value(reading) for k in range(1, self.last + 1)]
 
     def leaves(self):
         return self.at(1).leaves() + self.at(2).leaves()
@@ -224,4 +240,29 @@ class Total(Node):
 
     def own_changes(self):
         for k, (what, _) in enumerate(self.term(1).changes()):
-            yield what, Total(self.term, k)
+            yield what, type(self)(self.term, k, **self.choice)
+
+
+class Total(Indexed):
+    """A sum over an index."""
+
+    def tex(self):
+        return rf"\sum_{{{self.index}=1}}^{{{self.last}}} {self.inside(self.at(self.index), PRODUCT)}"
+
+    def value(self, reading):
+        first, *others = self.values(reading)
+        for other in others:
+            first = plus(first, other)
+        return first
+
+
+class Each(Indexed):
+    """A formula that holds for each value of an index; its value is the column of them all."""
+
+    spaced = False
+
+    def tex(self):
+        return self.at(self.index).tex()
+
+    def value(self, reading):
+        return algebra.column(self.values(reading))

@@ -1,12 +1,14 @@
-"""(18)-(21) and the tangent: from the energy to forces."""
+"""(18)-(21): from the energy to forces."""
 
 import sympy
 
 from ..element import field
 from . import symbols as Y
-from .algebra import NODAL, Matrix, column, normal, over_volume, replace, total
-from .calculus import Derivative, Evaluated, Integral
-from .notation import Grouped, Quotient, Symbol, node
+from .algebra import GEN, NODAL, Matrix, column, normal, over_volume, replace, total
+from .calculus import Derivative, Each, Evaluated, Integral, Total
+from .inertia import MOVE
+from .material import LAMBDA, MU, mu_of, nu
+from .notation import PRODUCT, Grouped, Quotient, Symbol, node
 from .symbols import (EPS, HALF, PLANE, S_a, S_a1, S_b, S_b1, S_c, S_c1, SIGMA, SQUARES, bar_1, bar_2, bar_3, e, e_0, energy,
                       eps, eps_1, eps_2, eps_3, heat, lam, mu, sigma, sigma_1, sigma_2, sigma_3, theta)
 
@@ -46,7 +48,7 @@ def frame():
     """Energy density with a weight for the shear, of a strain given in the rod's own axes, in a frame rotated by theta."""
     angle = sympy.Symbol("theta", real=True)
     own = sympy.symbols("E_11 E_22 E_12", real=True)
-    first, second = sympy.symbols("lambda mu", positive=True)
+    first, second = LAMBDA, MU
     R = sympy.Matrix([[sympy.cos(angle), -sympy.sin(angle)], [sympy.sin(angle), sympy.cos(angle)]])
     E = R * sympy.Matrix([[own[0], own[2]], [own[2], own[1]]]) * R.T
 
@@ -66,7 +68,9 @@ def write(page):
     page.formula(U, half * Integral("V", bar_1 * sigma_1 + bar_2 * sigma_2 + 2 * bar_3 * sigma_3), number="18",
                  how="""The left side is the contraction over all four components in the rod's own axes, where no
         inclination enters; the right side is in global axes, with the strains (14) and the stresses (15).""")
-    page.words("""A bar marks the three components of {eps}, the strains less heat.""", eps=eps)
+    page.words("""With the stresses (15) put in, it is""")
+    page.formula(U, half * Integral("V", (lam + 2 * mu) * (bar_1**2 + bar_2**2) + 2 * lam * bar_1 * bar_2 + 4 * mu * bar_3**2),
+                 how="As above.")
     page.words("""**E3, an error in the paper.** It prints the product of the two columns, which counts the shear
         once:""")
     page.formula(U_printed, half * Integral("V", eps.T * sigma), U - Integral("V", mu * bar_3**2),
@@ -74,23 +78,25 @@ def write(page):
     angle, own, constants, density = frame()
     psi = Symbol(r"\psi", density(4))
     psi_printed = Symbol(r"\psi_\text{printed}", density(2))
-    E_11, E_22, E_12 = (Symbol(f"E_{{{n}}}", symbol) for n, symbol in zip(("11", "22", "12"), own))
-    second = Symbol(r"\mu", constants[1])
+    E_11, E_22, E_12 = (Symbol(rf"\varepsilon_{{{n}}}", symbol) for n, symbol in zip(("tt", "nn", "tn"), own))
     page.words("""This is no matter of taste, because a body's energy must not depend on who looks. Take one strain,
-        given in the rod's own axes, and describe it from a frame turned by {theta}. With the 2, the density {psi}
-        of the energy does not change; without it, it does. At the frame along the rod:""", theta=theta, psi=psi)
+        given in the rod's own axes as {tt}, {nn} and {tn}, and describe it from a frame turned by {phi}. With the 2, the
+        density {psi} of the energy does not change; without it, it does. At the frame along the rod:""",
+               phi=PHI, psi=psi, tt=E_11, nn=E_22, tn=E_12)
 
     def slope(symbol):
-        return Derivative(symbol, theta.text, [angle])
+        return Derivative(symbol, PHI.text, [angle])
 
-    turn = Symbol(theta.text, angle)
+    turn = Symbol(PHI.text, angle)
     page.formulas_of([(slope(psi), node(0)),
-                      (Evaluated(slope(psi_printed), turn, 0), 2 * second * E_12 * (E_22 - E_11))], blind=(f"2 {psi.text}",),
+                      (Evaluated(slope(psi_printed), turn, 0), 2 * mu_of * E_12 * (E_22 - E_11))], blind=(f"2 {psi.text}",),
                      how="The left sides are derivatives of the densities of a strain turned by the rotation matrix.")
     cos, sin = Symbol(r"\cos\theta", sympy.cos(angle)), Symbol(r"\sin\theta", sympy.sin(angle))
     bending, tension = softening(angle, own, constants, density)
-    page.words("""What it does to a slender rod whose {nu} is zero, beside the right one: its stiffness in bending,
-        and its compliance in tension, get the factors""", nu=Symbol(r"\nu", 0))
+    page.figure("frame", """A rod that is stretched, its transverse strain zero, seen from a frame turned against it: the
+        energy density over its true value, printed and right""")
+    page.words("""What it does to a slender rod of the inclination {theta} whose {nu} is zero, beside the right one: its stiffness {B} in bending,
+        and its compliance {C} in tension, get the factors""", theta=theta, nu=Symbol(r"\nu", 0), B=Symbol("B", 0), C=Symbol("C", 0))
     page.formulas_of([
         (Quotient(*(Symbol(text, value) for text, value in zip((r"B_\text{printed}", "B"), bending))), 1 - square(sin) * square(cos)),
         (Quotient(*(Symbol(text, value) for text, value in zip((r"C_\text{printed}", "C"), tension))), 1 + 2 * square(sin) * square(cos))],
@@ -102,30 +108,47 @@ def write(page):
 
     page.section("19", "Elastic forces", ["equations.force::Q_e"])
     page.words("""If the nodal coordinates change a little, the energy changes; its derivative is the force against
-        that change. The strains are quadratic in {e}, so the derivative is {e} times a matrix, which depends on {e}
-        again:""", e=e)
+        that change. **In indices.** {W} is quadratic in the strains, so its derivative by one coordinate {e_n} is a
+        sum over the strains, by the chain rule; the derivative of the energy density by a strain is its stress, the shear
+        counted twice. Heat does not depend on {e_n}, so the strains (13) take the place of those less heat:""",
+               W=U, e_n=Symbol("e_n", 0))
+    page.formula(Each(lambda n: by(U, n), index="n", last=14),
+                 Each(lambda n: Integral("V", sigma_1 * by(eps_1, n) + sigma_2 * by(eps_2, n) + 2 * sigma_3 * by(eps_3, n)), index="n", last=14),
+                 how="For all 14 coordinates; the left side is differentiated from the energy (18).")
+    page.words("""A strain is a double sum over coordinates, in which {e_n} stands twice, as first factor and as second:""", e_n=Symbol("e_n", 0))
+    page.formula(Each(lambda n: by(eps_1, n), index="n", last=14),
+                 Each(lambda n: half * Total(lambda m: (entry("a", n, m) + entry("a", m, n)) * coordinate(m), index="m", last=14),
+                      index="n", last=14),
+                 how="For all 14 coordinates; the left side is differentiated from the strain (13).")
+    page.words("""**In matrices.** The derivative of a quadratic form takes the matrix and its transpose. With the names""")
+    page.formulas_of([(S_a1, S_a.T + S_a), (S_b1, S_b.T + S_b), (S_c1, S_c.T + S_c)],
+                     how="The left sides are second derivatives of the metric by the nodal coordinates.",
+                     blind=(rf"no transpose of {S_a.text}", rf"no transpose of {S_b.text}"))
+    page.words("""the derivatives of the three strains by {e} are the rows""", e=e)
+    page.formulas_of([(Derivative(eps_n, r"\mathbf e", NODAL), half * e.T * S_n1)
+                      for eps_n, S_n1 in ((eps_1, S_a1), (eps_2, S_b1), (eps_3, S_c1))],
+                     how="The left sides are differentiated from the strains (13).")
+    page.words("""Put into the sum above, {eT} is a factor on the left of all, and can be taken out of the integral. What is left is a
+        matrix {K}, which depends on {e} through the stresses:""", eT=e.T, e=e, K=K)
     page.formula(Q_e.T, Derivative(U, r"\mathbf e", NODAL), e.T * K, number="19",
                  how="""The left side is the work of the first Piola-Kirchhoff stress on the rates of the gradient,
         the principle of virtual work; no energy is differentiated for it.""")
+    page.formula(K, half * Integral("V", sigma_1 * S_a1 + sigma_2 * S_b1 + 2 * sigma_3 * S_c1),
+                 how="The left side is the integral of each stress times the second derivatives of its strain, the shear counted twice.")
     page.words("""No force acts where nothing is strained, and forces inside a body have no resultant: moving all
-        positions along {d} does no work.""", d=Symbol(r"\mathbf d", 0))
-    page.formula(Symbol(r"\mathbf d", column([int(k in (0, 4, 10)) for k in range(14)])).T * Q_e, node(0),
-                 how="The force is that of virtual work.", blind=(r"2 \mathbf d", r"2 \mathbf Q_e"))
+        positions along {d} does no work.""", d=MOVE)
+    page.formula(MOVE.T * Q_e, node(0),
+                 how="The force is that of virtual work.", blind=(f"2 {MOVE.text}", r"2 \mathbf Q_e"))
 
     page.section("20", "The stiffness matrix", ["equations.force::K", "equations.force::K_printed"])
+    page.words("""Put the stresses (15) into {K} and sort by {first}, {second} and {third}:""", K=K, first=lam + 2 * mu, second=lam, third=mu)
     page.formula(K, (lam + 2 * mu) * K_1 + lam * K_2 + 4 * mu * K_3, number="20",
-                 how="""The left side is the integral of each stress times the second derivatives of its strain, the
-        shear counted twice; the matrices on the right are the same integrals for the three parts of the energy
-        alone.""")
+                 how="""The matrices on the right are integrals for the three parts of the energy alone.""")
     page.words("""The paper prints a 2 in the place of the 4: E3 once more.""")
 
     page.section("21", "Its parts", ["equations.force::S_1", "equations.force::K_1", "equations.force::K_2",
                                      "equations.force::K_3", "equations.force::K_3_printed"])
-    page.words("""The derivative of a quadratic form takes the matrix and its transpose:""")
-    page.formulas_of([(S_a1, S_a.T + S_a), (S_b1, S_b.T + S_b), (S_c1, S_c.T + S_c)],
-                     how="The left sides are second derivatives of the metric by the nodal coordinates.",
-                     blind=(rf"no transpose of {S_a.text}", rf"no transpose of {S_b.text}"))
-    page.words("""and with them""")
+    page.words("""Each strain is half of a form less one and less twice its thermal strain, which gives a second half:""")
     a_, b_, c_ = (e.T * S_n * e for S_n in (S_a, S_b, S_c))
     page.formulas_of([
         (K_1, quarter * Integral("V", S_a1 * (a_ - 1 - 2 * heat) + S_b1 * (b_ - 1 - 2 * heat))),
@@ -145,31 +168,27 @@ def write(page):
         (SHEAR.T * K_3_rest_printed * e_0, -(half * Y.l * Y.h * Y.w)),
         (SHEAR.T * K_3_rest * e_0, node(0))],
         how="""The first left side is summed from strains; the others are products of matrices at the nodal
-        coordinates of the straight element at any inclination.""", blind=(r"2 \mathbf s", r"2 \mathbf e_0", r"2 \mathbf K_3(\mathbf e_0)"))
+        coordinates of the straight element at any inclination.""", blind=(f"2 {SHEAR.text}", r"2 \mathbf e_0", r"2 \mathbf K_3(\mathbf e_0)"))
     page.words("""With it an element lying on a table would start to shear by itself.""")
     page.words("""With heat along the axis only ([M7](#m7-one-dimensional-heat-has-a-direction)) each bracket of
         (21) loses twice its own component of the thermal strain, the third one too.""")
 
-    page.section("", "The tangent", ["equations.force::tangent"])
-    page.words("""Newton's iteration needs to know how the forces change with {e}; the paper leaves it out. By the
-        product rule: {K} once, and once the derivative of what is in the brackets of (21). These are twice the
-        strains, with the derivatives""", e=e, K=K)
-    a, b, c = (Symbol(rf"\mathbf {name}", column([form.derivative(n) * 2 for n in NODAL]))
-               for name, form in zip("abc", (eps_1.meaning, eps_2.meaning, eps_3.meaning)))
-    page.formulas_of([(a, S_a1 * e), (b, S_b1 * e), (c, S_c1 * e)],
-                     how="""The left sides are the derivatives of twice the strains that are found from the lengths
-        of fibres.""")
-    page.words("So the tangent is")
 
-    def outer(p, q):
-        return p * q.T
+def by(function, n):
+    """Derivative of a polynomial by the nodal coordinate n; n is a number, or the letter that is printed."""
+    meaning = function.meaning.derivative(NODAL[n - 1]) if isinstance(n, int) else None
+    return Symbol(rf"\frac{{\partial {function.text}}}{{\partial e_{n}}}", meaning, PRODUCT)
 
-    page.formula(Symbol(r"\frac{\partial \mathbf Q_e}{\partial \mathbf e}", Matrix([[force.derivative(name) for name in NODAL] for (force,) in Q_e.meaning.rows])),
-                 K + quarter * Integral("V", (lam + 2 * mu) * (outer(a, a) + outer(b, b)) + lam * (outer(a, b) + outer(b, a))
-                                        + 4 * mu * outer(c, c)),
-                 how="The left side holds the derivatives of the force of virtual work.")
-    page.words("""{K} holds the stresses and is called the geometric part, the integral holds the elasticity, the
-        material part. Both are symmetric, as second derivatives are.""", K=K)
+
+def coordinate(m):
+    """Nodal coordinate m."""
+    return Symbol(f"e_{m}", GEN[NODAL[m - 1]] if isinstance(m, int) else None)
+
+
+def entry(name, n, m):
+    """Entry of S_a, S_b or S_c in row n and column m."""
+    meaning = {"a": S_a, "b": S_b, "c": S_c}[name].meaning[n - 1, m - 1] if isinstance(n, int) and isinstance(m, int) else None
+    return Symbol(rf"S_{{{name},{n}{m}}}", meaning)
 
 
 def square(symbol):
@@ -181,7 +200,7 @@ def square(symbol):
 def softening(angle, own, constants, density):
     """Bending stiffness and tensile compliance of a slender rod at nu = 0, each with the printed and the right shear."""
     E_11, E_22, E_12 = own
-    value = {constants[0]: 0}
+    value = {nu.meaning: 0}
 
     def stiffness(weight, strain):
         return sympy.simplify(2 * density(weight).subs(value).subs(strain))
@@ -202,4 +221,5 @@ def shear_of_unit_size():
     return column([Y.lift(value, (field.l, c, s)) for pair in values for value in pair])
 
 
-SHEAR = Symbol(r"\mathbf s", shear_of_unit_size())
+SHEAR = Symbol(r"\mathbf u_\text{shear}", shear_of_unit_size())
+PHI = Symbol(r"\varphi", 0)

@@ -4,8 +4,8 @@ import sympy
 
 from . import symbols as Y
 from .algebra import Matrix
-from .notation import Quotient, Symbol, Table
-from .symbols import eps, lam, mu, sigma
+from .notation import Quotient, Symbol, Table, node
+from .symbols import bar_1, bar_2, bar_3, eps, lam, mu, sigma, sigma_1, sigma_2, sigma_3
 
 E, nu = Symbol("E", sympy.Symbol("E", positive=True)), Symbol(r"\nu", sympy.Symbol("nu", positive=True))
 
@@ -54,9 +54,16 @@ def write(page):
         Its stress is the second of Piola and Kirchhoff: it knows nothing of the rotation, as the strain does not.""")
 
     page.section("15", "Stress from strain", ["equations.material::sigma"])
+    page.words("""Hooke's law of an isotropic body: a pressure from the change of volume, and twice {mu} times each
+        component. {b_1}, {b_2} and {b_3} are the components of {eps}:""", mu=mu, b_1=bar_1, b_2=bar_2, b_3=bar_3, eps=eps)
+    page.formulas_of([
+        (sigma_1, lam * (bar_1 + bar_2) + 2 * mu * bar_1),
+        (sigma_2, lam * (bar_1 + bar_2) + 2 * mu * bar_2),
+        (sigma_3, 2 * mu * bar_3)],
+        how="The left sides are the tensor's law, the first constant of Lamé times its trace and twice the second times itself.")
+    page.words("As a matrix times a column this is")
     page.formula(sigma, D * eps, number="15",
-                 how="""The left side is Hooke's law of an isotropic body for the tensor, the first constant of Lamé
-        times its trace and twice the second times itself.""")
+                 how="The left side is the tensor's law.")
 
     page.section("16", "The elasticity matrix", ["equations.material::D"])
     page.formula(D, Table([lam + 2 * mu, lam, 0], [lam, lam + 2 * mu, 0], [0, 0, 2 * mu]), number="16",
@@ -65,12 +72,19 @@ def write(page):
     page.words("""As a law of stress this is right: the last line says {shear} for the tensor's components. As the
         matrix of an energy it is not, see (18). It is the matrix of plane strain: nothing moves across the plane
         ([M1](#m1-plane-strain-but-heat-in-the-plane-only)).""",
-               shear=Y.sigma_3)
+               shear=sigma_3)
 
     page.section("17", "Lamé's constants", ["equations.material::lambda", "equations.material::mu"])
     page.words("""Tables list Young's modulus {E} in Pa and Poisson's ratio {nu}: what a bar does that is pulled. It
-        stretches by the stress over {E}, and shrinks across by {nu} times that. Solving Hooke's law for these two
-        facts:""", E=E, nu=nu)
+        stretches by the stress over {E}, and shrinks across by {nu} times that, in both directions. Stretch it by one: the
+        stress along is {E}, that across zero. Hooke's law in three dimensions says so in two lines, whose difference is
+        the third:""", E=E, nu=nu)
+    page.formulas_of([
+        (E, lambda_of * (1 - 2 * nu) + 2 * mu_of),
+        (node(0), lambda_of * (1 - 2 * nu) - 2 * mu_of * nu),
+        (E, 2 * mu_of * (1 + nu))],
+        how="With the constants that a computer algebra system finds from the law.")
+    page.words("""The third gives {mu}, and with it the second {lam}:""", mu=mu, lam=lam)
     page.formulas_of([
         (lambda_of, Quotient(E * nu, (1 + nu) * (1 - 2 * nu))),
         (mu_of, Quotient(E, 2 * (1 + nu)))],

@@ -155,20 +155,19 @@ def write(page):
         than coordinates that product does not exist. With as many it is the wrong force. A point in the plane that
         is held twice on its first axis may still move along it; the right force does not act in this direction, the
         printed one does:""", printed=without_meaning(Phi_q * multipliers))
-    twice = Symbol(r"\boldsymbol\Phi_q", Matrix([[0, 1], [0, 1]]))
+    twice = Symbol(r"\boldsymbol\Phi_\text{twice}", Matrix([[0, 1], [0, 1]]))
     along = Table([1], [0])
     page.formulas_of([
         (twice, Table([0, 1], [0, 1])),
         (along.T * twice.T * multipliers, node(0)),
-        (along.T * twice * multipliers, Symbol(r"\lambda_2", many[1, 0]))],
+        (along.T * twice * multipliers, Table([0], [1]).T * multipliers)],
         how="The matrix holds the derivatives of the two equal conditions.",
-        blind=(r"2 \boldsymbol\Phi_q", r"2 \boldsymbol\lambda", "1 + 1"))
-    page.words("""Now two elements, {A} and {B}: {A} hinged to the ground, {B} to the end of {A}.""",
-               A=Symbol("A", 0), B=Symbol("B", 0))
+        blind=(r"2 \boldsymbol\Phi_\text{twice}", r"2 \boldsymbol\lambda", "1 + 1"))
+    page.words("""Now two elements: the first hinged to the ground, the second to the end of the first.""")
     pinned = Pinned()
-    ground = Symbol(r"\mathbf r_0", pinned.vector(0))
+    ground = Symbol(r"\mathbf r_\text{ground}", pinned.vector(0))
     A_i, A_k, B_i = (Symbol(text, pinned.vector(k)) for text, k in
-                     ((r"\mathbf r_A^i", 0), (r"\mathbf r_A^k", 10), (r"\mathbf r_B^i", 14)))
+                     ((r"\mathbf r_\text{first}^i", 0), (r"\mathbf r_\text{first}^k", 10), (r"\mathbf r_\text{second}^i", 14)))
     m, q_ddot, f = (Symbol(text, meaning) for text, meaning in (
         (r"\mathbf m", pinned.m), (r"\ddot{\mathbf q}", pinned.q_ddot), (r"\mathbf f", pinned.weight)))
     forces, lam = Symbol(r"\mathbf k(\Delta T)\,\mathbf q", pinned.force), Symbol(r"\boldsymbol\lambda", pinned.multipliers)

@@ -7,11 +7,8 @@ from . import algebra
 from .algebra import Matrix, is_zero
 from .notation import Reading, Symbol, compute
 
-KINDS = {
-    "ring": "Equal as polynomials, whatever the symbols stand for.",
-    "sympy": "Equal as expressions, whatever the symbols stand for.",
-    "state": "Equal as rational numbers, in a state drawn at random.",
-}
+# What the front matter does not say of every formula: only some are compared in numbers.
+KINDS = {"ring": "", "sympy": "", "state": " In numbers."}
 
 
 class Formula:
@@ -68,6 +65,16 @@ def same(a, b):
     return is_zero(a - b)
 
 
+def unassuming(leaf):
+    """Meaning of a symbol without what sympy is told of its variables, such as that a length is positive."""
+    def one(entry):
+        if not isinstance(entry, sympy.Basic):
+            return entry
+        return entry.xreplace({symbol: sympy.Symbol(symbol.name) for symbol in entry.free_symbols})
+
+    return algebra.each(one, leaf.meaning)
+
+
 def holds(parts, reading):
     """Whether formulas that may be wrong are equal."""
     try:
@@ -90,7 +97,7 @@ class Page:
     """The text of the page, from top to bottom, with its formulas."""
 
     def __init__(self):
-        self.blocks, self.groups = [], []
+        self.blocks, self.groups, self.printed, self.meanings = [], [], [], {}
 
     def heading(self, title, level=2):
         """A heading without an equation."""
@@ -113,24 +120,21 @@ class Page:
     def words(self, text, **named):
         """A paragraph. It has no typed formula: {name} is replaced by one of `named`."""
         assert "$" not in text and "\\" not in text, f"typed formula: {text}"
+        self.printed += [part.tex() for part in named.values()]
         self.blocks.append(" ".join(text.format_map(named).split()))
 
-    def drawing(self, text):
-        """A sketch in characters."""
-        self.blocks.append("```text\n" + text.strip("\n") + "\n```")
+    def figure(self, name, words):
+        """A picture of `figures`, and what it shows."""
+        self.blocks.append(f"![{name}](figures/{name}.svg)\n\n*{words}.*")
+
+    def exercise(self, task, sheet, **named):
+        """A task for pen and paper, with the sheet that has it and more."""
+        self.words(f"**Exercise.** {task} More, with solutions: [sheet {sheet[0]}](../teaching/{sheet}.md).", **named)
 
     def table(self, head, rows):
         """A table of words and symbols."""
         lines = [head, ["---"] * len(head), *rows]
         self.blocks.append("\n".join("| " + " | ".join(line) + " |" for line in lines))
-
-    def commands(self, text):
-        """Lines for a shell."""
-        self.blocks.append("```sh\n" + text.strip("\n") + "\n```")
-
-    def details(self, summary, text):
-        """A paragraph that is folded away."""
-        self.blocks.append(f"<details><summary>{summary}</summary>\n\n{' '.join(text.split())}\n\n</details>")
 
     def formula(self, *parts, number=None, how, blind=()):
         """One displayed chain of equalities."""
@@ -140,13 +144,23 @@ class Page:
         """Several chains under one number. `blind` lists the equivalent mistakes, which change a zero or nothing."""
         formulas = [Formula(chain) for chain in chains]
         self.groups.append((formulas, set(blind)))
+        for formula in formulas:
+            self.remember(formula)
         lines = [line for formula in formulas for line in formula.lines()]
         body = lines[0].replace("&= ", "= ") if len(lines) == 1 else (
             "\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}")
         tag = f" \\tag{{{number}}}" if number else ""
-        kinds = dict.fromkeys(KINDS[formula.kind] for formula in formulas)
+        kinds = "".join(dict.fromkeys(KINDS[formula.kind] for formula in formulas))
         self.blocks.append(f"```math\n{body}{tag}\n```")
-        self.blocks.append(f"> **Asserted.** {' '.join(how.split())} {' '.join(kinds)}")
+        self.blocks.append(f"<details><summary>checked</summary>\n\n{' '.join(how.split())}{kinds}\n\n</details>")
+
+    def remember(self, formula):
+        """Keeps what is printed, and asserts that a symbol of letters stands for one thing in polynomials and one in expressions."""
+        self.printed += [part.tex() for part in formula.parts]
+        for leaf in [leaf for part in formula.parts for leaf in part.leaves() if isinstance(leaf, Symbol)]:
+            if formula.kind != "state":
+                known = self.meanings.setdefault((leaf.text, formula.kind), leaf)
+                assert known.meaning is leaf.meaning or same(unassuming(known), unassuming(leaf)), f"two meanings: {leaf.text}"
 
     def text(self):
         """The page as Markdown."""

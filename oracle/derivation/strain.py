@@ -5,7 +5,7 @@ from .algebra import GEN, Matrix, column, normal
 from .calculus import Total
 from .notation import Inverse, Symbol, Table, node
 from .symbols import (I, J, J_0, PLANE, S_a, S_b, S_c, S_x, S_y, cosine, e, e_0, eps, eps_1, eps_2, eps_3, eps_f, eps_m,
-                      eps_T, heat, row, sine, theta)
+                      eps_T, heat, r_x, r_y, row, sine, theta)
 
 
 def turned(along, across):
@@ -41,6 +41,7 @@ def write(page):
         anywhere.""")
 
     page.section("9", "Deformation gradient", ["equations.strain::J"])
+    page.figure("deformation", """A short fibre before and now: the deformation gradient takes one to the other""")
     page.words("""How do neighbouring points move apart? A short fibre between two of them was {dr_0} and is now
         {dr}; the matrix that takes one to the other is the deformation gradient. The position is known as a
         function of {x} and {y}, not of the initial position, so the chain rule is needed, and that is all that (9)
@@ -51,10 +52,19 @@ def write(page):
                  how="""The left side is differentiated by the initial position itself, of which the field is
         written as a function.""")
 
+    page.words("""The columns of the first matrix are {r_x} and {r_y}, by (1). The inverse of a rotation is its transpose;
+        with it the columns of {J} are""", r_x=r_x, r_y=r_y, J=J)
+    cos, sin = cosine, sine
+    page.formulas_of([
+        (Inverse(J_0), Table([cos(), sin()], [-sin(), cos()])),
+        (J, Table([r_x, r_y]) * Inverse(J_0), Table([r_x * cos() - r_y * sin(), r_x * sin() + r_y * cos()]))],
+        how="The slopes are the derivatives of the position; the left sides as above.")
+
     page.section("10", "The strain tensor", ["equations.strain::eps_m", "equations.strain::S_abc"])
     page.words("""Green and Lagrange measure by squares of lengths, because these are polynomials in the
         coordinates. Half the change of a fibre's squared length is a quadratic form of the fibre, and the form's
-        matrix is the strain. It is zero for a rotation, since then the product of {J} with its transpose is {I}.""", J=J, I=I)
+        matrix is the strain: with {moved}, the squared length now is {square}.""", moved=Symbol(r"\mathrm d\mathbf r = \mathbf J \mathrm d\mathbf r_0", 0),
+               square=Symbol(r"\mathrm d\mathbf r_0^{\mathsf T} \mathbf J^{\mathsf T} \mathbf J \mathrm d\mathbf r_0", 0))
     fibre_0 = Symbol(r"\mathrm d\mathbf r_0", column([GEN["g1"], GEN["g2"]]))
     moved = Symbol(r"\mathrm d\mathbf r", J.meaning @ fibre_0.meaning)
     page.formula(moved.T * moved - fibre_0.T * fibre_0, 2 * fibre_0.T * eps_m * fibre_0,
@@ -66,10 +76,20 @@ def write(page):
                  how="""The left side is found from the lengths of fibres along both axes and both diagonals; the
         matrices with indices from the products of gradients, each for one nodal coordinate alone.""")
 
+    page.words("""It is zero for a rotation, since then {JJ} is {I}.""", JJ=J.T * J, I=I)
+
     page.section("11", "The metric's matrices", ["equations.strain::S_abc_theta"])
-    page.words("""{J} is linear in {e}, so each component of the metric is a quadratic form in {e} with a matrix of
-        14 rows that depends on the place and on {theta} alone. Multiplying out (9):""", J=J, e=e, theta=theta)
-    cos, sin = cosine, sine
+    page.words("""Each entry of {JJ} is the product of two columns of {J}. Multiplying out, with the columns found at (9):""", JJ=J.T * J, J=J)
+    page.formulas_of([
+        (e.T * S_a * e, r_x.T * r_x * cos()**2 - 2 * r_x.T * r_y * sin() * cos() + r_y.T * r_y * sin()**2),
+        (e.T * S_b * e, r_x.T * r_x * sin()**2 + 2 * r_x.T * r_y * sin() * cos() + r_y.T * r_y * cos()**2),
+        (e.T * S_c * e, r_x.T * r_x * sin() * cos() + r_x.T * r_y * (cos()**2 - sin()**2) - r_y.T * r_y * sin() * cos())],
+        how="The matrices are those of products of gradients, each for one nodal coordinate alone.")
+    page.words("""Along the global first axis, at {zero}, these are the slopes' products alone. Now put {r_x} and {r_y}, row by row:
+        the product of two slopes is a sum over the two rows {p} of {S}, such as {product}. What stands between {eT} and {e} depends on the place and on
+        {theta} alone:""", zero=Symbol(r"\theta = 0", 0), r_x=Symbol(r"\mathbf r_x = \mathbf S_x \mathbf e", 0),
+               r_y=Symbol(r"\mathbf r_y = \mathbf S_y \mathbf e", 0), S=Y.S, p=Symbol("p", 0), eT=e.T, e=e, theta=theta,
+               product=Symbol(r"\mathbf e^{\mathsf T} \mathbf S_{px}^{\mathsf T} \mathbf S_{py} \mathbf e", 0))
 
     def product(a, b):
         return lambda i: row(i, a).T * row(i, b)
@@ -77,7 +97,7 @@ def write(page):
     def form(xx, xy, yx, yy):
         """The four products with their factors under one sum."""
         return Total(lambda i: xx(product("x", "x")(i)) + xy(product("x", "y")(i)) + yx(product("y", "x")(i))
-                     + yy(product("y", "y")(i)))
+                     + yy(product("y", "y")(i)), index="p")
 
     cc, ss = (lambda f: f * cos()**2), (lambda f: f * sin()**2)
     sc, minus_sc = (lambda f: f * sin() * cos()), (lambda f: -(f * sin() * cos()))

@@ -17,6 +17,7 @@ ZERO, ONE = RING.constant(0), RING.constant(1)
 
 # Numbers of the ring.
 x, y, l, h, w = (Symbol(name, GEN[name]) for name in ("x", "y", "l", "h", "w"))
+xi = Symbol(r"\xi", GEN["x"] * GEN["per_l"])
 rho, lam, mu = Symbol(r"\rho", GEN["rho"]), Symbol(r"\lambda", GEN["lam"]), Symbol(r"\mu", GEN["mu"])
 heat = Symbol(r"\alpha_T \Delta T", GEN["heat"], PRODUCT)
 theta = Symbol(r"\theta", None)
@@ -68,12 +69,18 @@ def polynomial_position(names):
     return [in_nodes(field.polynomial(field.coefficients()), names, i) for i in PLANE]
 
 
+def slope(name):
+    """The slope r_x or r_y."""
+    return Symbol(rf"\mathbf r_{name}", column([f.derivative(name) for f in polynomial_position(NODAL)]))
+
+
 S = Symbol(r"\mathbf S", blocks(SHAPES))
 S_x = Symbol(r"\mathbf S_x", blocks([f.derivative("x") for f in SHAPES]))
 S_y = Symbol(r"\mathbf S_y", blocks([f.derivative("y") for f in SHAPES]))
 e, e_dot = Symbol(r"\mathbf e", variables(NODAL)), Symbol(r"\dot{\mathbf e}", variables(NODAL))
 r = Symbol(r"\mathbf r", column(polynomial_position(NODAL)))
 r_dot = Symbol(r"\dot{\mathbf r}", column(polynomial_position(NODAL)))
+r_x, r_y = slope("x"), slope("y")
 c, s = GEN["c"], GEN["s"]
 
 
