@@ -1,4 +1,4 @@
-"""The derivation that runs: `python -m oracle derivation` writes oracle/DERIVATION.md.
+"""The derivation that runs: `python -m oracle derivation` writes oracle/DERIVATION.md and oracle/figures/.
 
 Every displayed formula is a tree (`notation`). One walk over the tree prints it, another computes it, and the value is compared
 with its left side, which is found another way (`symbols` and the chapters). Then each formula is changed in every place, and each
@@ -7,39 +7,53 @@ change must be noticed.
 
 from pathlib import Path
 
-PLACE = Path(__file__).resolve().parent.parent / "DERIVATION.md"
+FOLDER = Path(__file__).resolve().parent.parent
 NAME = "oracle/DERIVATION.md"
+PAGE, FIGURES = "DERIVATION.md", "figures"
 
 
 def generate():
-    """Text of the page, once all formulas hold and all changes of them are noticed."""
-    from . import choices, exercises, force, inertia, introduction, material, motion, position, speed, strain
+    """Texts of the page and of its pictures by path, once all formulas hold, all changes of them are noticed and each symbol means one thing."""
+    from . import (choices, example, figures, force, glossary, inertia, interpolation, introduction, material, motion, position, speed, strain,
+                   tangent)
     from .page import Page
 
     body = Page()
-    for chapter in (position, inertia, strain, material, force, motion, choices, speed, exercises):
+    for chapter in (position, interpolation, inertia, strain, material, force, tangent, motion, choices, speed, example):
         chapter.write(body)
+    symbols = glossary.assert_single(body.printed)
     front = Page()
-    introduction.write(front, *body.noticed())
-    return front.text() + "\n" + body.text()
+    introduction.write(front, *body.noticed(), symbols)
+    pictures = {f"{FIGURES}/{name}": text for name, text in figures.texts().items()}
+    return {PAGE: front.text() + "\n" + body.text()} | pictures
 
 
-def write(text):
-    """Writes the page, whole or not at all; returns its size in bytes."""
-    unfinished = PLACE.with_suffix(".unfinished")
-    unfinished.write_text(text, encoding="utf-8")
-    unfinished.replace(PLACE)
-    return PLACE.stat().st_size
+def write(texts):
+    """Writes the files, each whole or not at all; returns the page's size in bytes."""
+    (FOLDER / FIGURES).mkdir(exist_ok=True)
+    for name, text in texts.items():
+        place = FOLDER / name
+        unfinished = place.with_suffix(".unfinished")
+        unfinished.write_text(text, encoding="utf-8")
+        unfinished.replace(place)
+    return (FOLDER / PAGE).stat().st_size
 
 
-def faults(text):
-    """Differences between the stored page and the text, as lines that name the place."""
+def faults(texts):
+    """Differences between the stored files and the texts, as lines that name the place."""
+    found = [fault for name, text in texts.items() for fault in faults_of(name, text)]
+    there = {f"{FIGURES}/{path.name}" for path in (FOLDER / FIGURES).glob("*")}
+    return found + [f"oracle/{name}: the page does not make it" for name in sorted(there - set(texts))]
+
+
+def faults_of(name, text):
+    """Differences between a stored file and its text."""
     try:
-        stored = PLACE.read_text(encoding="utf-8").split("\n")
+        stored = (FOLDER / name).read_text(encoding="utf-8").split("\n")
     except (OSError, ValueError) as error:
-        return [f"{NAME}: cannot be read: {error}"]
+        return [f"oracle/{name}: cannot be read: {error}"]
     fresh = text.split("\n")
-    found = [f"{NAME}: line {k}: stored {a!r:.80}, made {b!r:.80}" for k, (a, b) in enumerate(zip(stored, fresh), 1) if a != b]
+    found = [f"oracle/{name}: line {k}: stored {a!r:.80}, made {b!r:.80}" for k, (a, b) in enumerate(zip(stored, fresh), 1) if a != b]
     if len(stored) != len(fresh):
-        found.append(f"{NAME}: {len(stored)} lines stored, {len(fresh)} made")
+        found.append(f"oracle/{name}: {len(stored)} lines stored, {len(fresh)} made")
     return found

@@ -56,7 +56,7 @@ def frame():
         return ((first + 2 * second) / 2 * (E[0, 0]**2 + E[1, 1]**2) + first * E[0, 0] * E[1, 1]
                 + weight * second / 2 * E[0, 1]**2)
 
-    return angle, own, (first, second), density
+    return angle, own, density
 
 
 def write(page):
@@ -75,7 +75,7 @@ def write(page):
         once:""")
     page.formula(U_printed, half * Integral("V", eps.T * sigma), U - Integral("V", mu * bar_3**2),
                  how="The left side is summed strain by strain.")
-    angle, own, constants, density = frame()
+    angle, own, density = frame()
     psi = Symbol(r"\psi", density(4))
     psi_printed = Symbol(r"\psi_\text{printed}", density(2))
     E_11, E_22, E_12 = (Symbol(rf"\varepsilon_{{{n}}}", symbol) for n, symbol in zip(("tt", "nn", "tn"), own))
@@ -92,7 +92,7 @@ def write(page):
                       (Evaluated(slope(psi_printed), turn, 0), 2 * mu_of * E_12 * (E_22 - E_11))], blind=(f"2 {psi.text}",),
                      how="The left sides are derivatives of the densities of a strain turned by the rotation matrix.")
     cos, sin = Symbol(r"\cos\theta", sympy.cos(angle)), Symbol(r"\sin\theta", sympy.sin(angle))
-    bending, tension = softening(angle, own, constants, density)
+    bending, tension = softening(own, density)
     page.figure("frame", """A rod that is stretched, its transverse strain zero, seen from a frame turned against it: the
         energy density over its true value, printed and right""")
     page.words("""What it does to a slender rod of the inclination {theta} whose {nu} is zero, beside the right one: its stiffness {B} in bending,
@@ -197,7 +197,7 @@ def square(symbol):
     return Symbol(rf"{name}^2\theta", symbol.meaning**2)
 
 
-def softening(angle, own, constants, density):
+def softening(own, density):
     """Bending stiffness and tensile compliance of a slender rod at nu = 0, each with the printed and the right shear."""
     E_11, E_22, E_12 = own
     value = {nu.meaning: 0}

@@ -162,6 +162,20 @@ class Number(Node):
         yield f"{self.number} + 1", Number(self.number + 1)
 
 
+class Decimal(Number):
+    """A number written as a decimal, with a power of ten where it is small or large: `Decimal("-6.125e-10")`."""
+
+    def __init__(self, text):
+        super().__init__(Fraction(text))
+        self.text = text
+        self.level = PRODUCT if self.number >= 0 else SUM
+
+    def tex(self):
+        mantissa, _, power = self.text.partition("e")
+        exponent = rf"10^{{{int(power)}}}" if power else ""
+        return exponent if mantissa == "1" and exponent else rf"{mantissa} \cdot {exponent}" if exponent else mantissa
+
+
 class Symbol(Node):
     """A name with its meaning: a number, a polynomial, an expression or a matrix of these."""
 

@@ -136,6 +136,12 @@ class Page:
         lines = [head, ["---"] * len(head), *rows]
         self.blocks.append("\n".join("| " + " | ".join(line) + " |" for line in lines))
 
+    def folded(self, summary, write):
+        """Blocks that `write` adds, folded away."""
+        self.blocks.append(f"<details><summary>{summary}</summary>")
+        write(self)
+        self.blocks.append("</details>")
+
     def formula(self, *parts, number=None, how, blind=()):
         """One displayed chain of equalities."""
         self.formulas_of([parts], number=number, how=how, blind=blind)

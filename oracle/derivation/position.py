@@ -60,6 +60,8 @@ def write(page):
         point is now. The *slopes* {r_x} and {r_y} are its derivatives: they tell how fibres along and across are
         turned and stretched. Unstretched, they have the length one.""", x=x, y=y, r=r, r_x=r_x, r_y=r_y)
 
+    page.figure("slopes", "Fibres of the deformed element, and the slopes at one point")
+
     page.section("A.1", "The polynomial", ["equations.shape::r_polynomial"])
     page.words("""The premise: each component is a polynomial, cubic along the axis and linear across. A section stays
         straight, but may lean (shear) and stretch (heat).""")
@@ -126,6 +128,7 @@ def write(page):
         (S_4, l * a * (-node(2) + 6 * a - 4 * a**2)), (S_5, l * b * (4 * a - 4 * a**2)),
         (S_6, a - 4 * a**2 + 4 * a**3), (S_7, l * b * (-a + 2 * a**2))],
         number="3", how="As above, by each nodal vector.")
+    page.figure("shapes", "Shape functions of positions and of the slope along, on the axis; of slopes across, over the place across")
     page.words("""Those of positions ({S_1}, {S_3}, {S_6}) are numbers, those of slopes lengths.""", S_1=S_1, S_3=S_3, S_6=S_6)
     page.exercise("""Cover (3). Which coefficients contain {r_x_j}? Collect its factor and write it as a product: it is
         {S_4}. Where does it vanish, and why must it vanish there?""", "1-shape", r_x_j=r_x_j, S_4=S_4)

@@ -28,26 +28,26 @@ def write(page):
     components = Y.r_components()
     axis = [at_axis(r) for r in components]
     director = [r.derivative("y") for r in components]
-    r_0, d = Symbol(r"\mathbf c", column(axis)), Symbol(r"\mathbf d", column(director))
-    r_0x, d_x = (Symbol(rf"{symbol.text}'", symbol.meaning.each(lambda f: f.derivative("x"))) for symbol in (r_0, d))
-    page.formula(Y.r, r_0 + y * d, how="""The left side is (A.1); on the right are its value on the axis and its
+    axis_r, d = Symbol(r"\mathbf c", column(axis)), Symbol(r"\mathbf d", column(director))
+    axis_x, d_x = (Symbol(rf"{symbol.text}'", symbol.meaning.each(lambda f: f.derivative("x"))) for symbol in (axis_r, d))
+    page.formula(Y.r, axis_r + y * d, how="""The left side is (A.1); on the right are its value on the axis and its
         derivative across.""")
     page.words("""**Second, stay in the rod's own axes**, as the energy does not depend on the frame (that is what
         E3 was about). The strains are then polynomials in {y} whose coefficients live on the axis.""", y=y)
     own = Y.own_strain()
     # eps_11 = a_0 + a_1 y + a_2 y^2 and so on: the coefficients are derivatives of the strain at y = 0.
-    a_0, a_1, a_2 = (Symbol(rf"\kappa_{k}", coefficient(own[0, 0], k)) for k in range(3))
-    c = Symbol(r"\bar\varepsilon_{nn}", own[1, 1])
-    g_0, g_1 = (Symbol(rf"\gamma_{k}", coefficient(own[0, 1] * 2, k)) for k in range(2))
+    kappa_0, kappa_1, kappa_2 = (Symbol(rf"\kappa_{k}", coefficient(own[0, 0], k)) for k in range(3))
+    nn = Symbol(r"\bar\varepsilon_{nn}", own[1, 1])
+    gamma_0, gamma_1 = (Symbol(rf"\gamma_{k}", coefficient(own[0, 1] * 2, k)) for k in range(2))
     e_11, e_12 = (Symbol(rf"\bar\varepsilon_{{{n}}}", own[place]) for n, place in (("tt", (0, 0)), ("tn", (0, 1))))
     page.words("""Along, across and sheared (a director has one length through the whole section, so {c} does not
-        depend on {y}):""", c=c, y=y)
-    page.formulas_of([(e_11, a_0 + a_1 * y + a_2 * y**2), (2 * e_12, g_0 + g_1 * y)],
+        depend on {y}):""", c=nn, y=y)
+    page.formulas_of([(e_11, kappa_0 + kappa_1 * y + kappa_2 * y**2), (2 * e_12, gamma_0 + gamma_1 * y)],
                      how="""The left sides are products of slopes; the coefficients on the right derivatives of them
         on the axis.""")
     page.formulas_of([
-        (a_0, half * (r_0x.T * r_0x - 1) - heat), (a_1, r_0x.T * d_x), (a_2, half * d_x.T * d_x),
-        (c, half * (d.T * d - 1) - heat), (g_0, r_0x.T * d), (g_1, d.T * d_x)],
+        (kappa_0, half * (axis_x.T * axis_x - 1) - heat), (kappa_1, axis_x.T * d_x), (kappa_2, half * d_x.T * d_x),
+        (nn, half * (d.T * d - 1) - heat), (gamma_0, axis_x.T * d), (gamma_1, d.T * d_x)],
         how="The left sides are derivatives of the strains on the axis.")
     page.words("""**Third, integrate across by hand.** Only three numbers of the section are needed, its area, its
         second moment and its fourth:""")
@@ -57,20 +57,20 @@ def write(page):
                       (fourth, Integral("A", y**4), Quotient(w * h**5, node(80)))],
                      how="The left sides are the antiderivatives' differences.")
     page.formula(
-        U, half * Integral("l", (lam + 2 * mu) * (A * (a_0**2 + c**2) + second * (a_1**2 + 2 * a_0 * a_2) + fourth * a_2**2)
-                           + 2 * lam * c * (A * a_0 + second * a_2) + mu * (A * g_0**2 + second * g_1**2)),
+        U, half * Integral("l", (lam + 2 * mu) * (A * (kappa_0**2 + nn**2) + second * (kappa_1**2 + 2 * kappa_0 * kappa_2) + fourth * kappa_2**2)
+                           + 2 * lam * nn * (A * kappa_0 + second * kappa_2) + mu * (A * gamma_0**2 + second * gamma_1**2)),
         how="The left side is the energy (18), integrated over the volume.")
     page.words("""So five points along the axis remain of the fifteen, and six numbers at each.""")
     page.words("""**Fourth, calculate with displacements.** A strain of a millionth, taken as a difference of
         squares near one, has lost six of sixteen digits. With the initial directions {t} along the rod and {n}
         across it, and what the slopes have beyond them, {p} and {delta}, no one is subtracted from a number near
         one:""", t=T, n=N, p=Symbol(r"\delta\mathbf t", 0), delta=Symbol(r"\delta\mathbf n", 0))
-    p = Symbol(r"\delta\mathbf t", r_0x.meaning - T.meaning, PRODUCT)
+    p = Symbol(r"\delta\mathbf t", axis_x.meaning - T.meaning, PRODUCT)
     delta = Symbol(r"\delta\mathbf n", d.meaning - N.meaning, PRODUCT)
     page.formulas_of([
-        (r_0x, T + p), (d, N + delta),
-        (a_0, T.T * p + half * p.T * p - heat), (c, N.T * delta + half * delta.T * delta - heat),
-        (g_0, T.T * delta + N.T * p + p.T * delta)],
+        (axis_x, T + p), (d, N + delta),
+        (kappa_0, T.T * p + half * p.T * p - heat), (nn, N.T * delta + half * delta.T * delta - heat),
+        (gamma_0, T.T * delta + N.T * p + p.T * delta)],
         how="The left sides are those above, the initial directions those of (9) at any inclination.")
 
 
