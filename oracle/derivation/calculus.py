@@ -217,11 +217,9 @@ class Indexed(Node):
 
     level = PRODUCT
     spaced = True
-    index, last = "i", 2
 
-    def __init__(self, term, change=None, **choice):
-        self.term, self.change, self.choice = term, change, choice
-        self.__dict__.update(choice)
+    def __init__(self, term, index, last=2, change=None):
+        self.term, self.index, self.last, self.change = term, index, last, change
 
     def at(self, index):
         """Formula of an index, with the mistake if there is one."""
@@ -240,7 +238,7 @@ class Indexed(Node):
 
     def own_changes(self):
         for k, (what, _) in enumerate(self.term(1).changes()):
-            yield what, type(self)(self.term, k, **self.choice)
+            yield what, type(self)(self.term, self.index, self.last, k)
 
 
 class Total(Indexed):

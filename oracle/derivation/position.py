@@ -88,10 +88,13 @@ def write(page):
         (a_2 + half * a_3 + Quotient(l**2, node(4)) * a_6, r_y_j),
         (a_2 + l * a_3 + l**2 * a_6, r_y_k)],
         how="The left sides have the coefficients that solve (A.2).")
+    page.words("""**First exercise**, five minutes. Solve the three lines for {a_3} and {a_6} before you read on. (The answer is in (A.3).)""", a_3=a_3, a_6=a_6)
     page.words("Four times the second line less the third is rid of {a_6}:", a_6=a_6)
     page.formula(3 * a_2 + l * a_3, 4 * r_y_j - r_y_k, how="As above.")
-    page.words("""The first line gives {a_2}, this one {a_3}, the third {a_6}. The other four lie on the axis:""",
-               a_2=a_2, a_3=a_3, a_6=a_6)
+    page.words("""The first line gives {a_2}, this one {a_3}, the third {a_6}:""", a_2=a_2, a_3=a_3, a_6=a_6)
+    page.formulas_of([(l * a_3, -(3 * r_y_i) + 4 * r_y_j - r_y_k), (l**2 * a_6, r_y_k - r_y_i - l * a_3, 2 * r_y_i - 4 * r_y_j + 2 * r_y_k)],
+                     how="As above.")
+    page.words("The other four conditions lie on the axis, where {y} is zero:", y=y)
     page.formulas_of([
         (a_0, r_i),
         (a_0 + half * a_1 + Quotient(l**2, node(4)) * a_4 + Quotient(l**3, node(8)) * a_5, r_j),
@@ -103,9 +106,14 @@ def write(page):
     page.formulas_of([
         (3 * l * a_1 + l**2 * a_4, 8 * r_j - 7 * r_i - r_k),
         (-(l * a_1) - l**2 * a_4, 3 * r_k - 3 * r_i - 4 * l * r_x_j),
-        (2 * l * a_1, -10 * r_i + 8 * r_j + 2 * r_k - 4 * l * r_x_j)],
+        (2 * l * a_1, -(10 * r_i) + 8 * r_j + 2 * r_k - 4 * l * r_x_j)],
         how="As above.")
-    page.words("So {a_1}; then {a_4} from the line before, and {a_5} from the fourth condition:", a_1=a_1, a_4=a_4, a_5=a_5)
+    page.words("So {a_1} is known; then {a_4} from the line before, and {a_5} from the fourth condition:", a_1=a_1, a_4=a_4, a_5=a_5)
+    page.formulas_of([
+        (l**2 * a_4, 3 * r_i - 3 * r_k + 4 * l * r_x_j - l * a_1, 8 * r_i - 4 * r_j - 4 * r_k + 6 * l * r_x_j),
+        (l**3 * a_5, r_k - r_i - l * a_1 - l**2 * a_4, -(4 * r_i) + 4 * r_k - 4 * l * r_x_j)],
+        how="As above.")
+    page.words("Together:")
     page.formulas_of([
         (a_0, r_i),
         (a_1, -Quotient(5 * r_i - 4 * r_j - r_k + 2 * l * r_x_j, l)),

@@ -4,7 +4,7 @@ from . import symbols as Y
 from .algebra import GEN, NODAL, Matrix, column, entries, hessian, normal, over, replace
 from .calculus import Integral
 from .force import K, Q_e, U, quarter
-from .notation import Quotient, Symbol, Table, node
+from .notation import PRODUCT, Quotient, Symbol, Table, node
 from .symbols import (S_a1, S_b1, S_c1, e, e_0, eps_1, eps_2, eps_3, h, heat, l, lam, mu, row, theta, w, xi)
 
 # Coordinates that stretch a horizontal element, and those that bend it, as numbers in (4): of positions and of the slope along,
@@ -88,10 +88,14 @@ def write(page):
     page.formula(Symbol(r"\mathbf K(\mathbf e_0)", at_rest(K.meaning)), -((lam + mu) * heat * Integral("V", S_a1 + S_b1)),
                  how="The left side is the matrix above at the nodal coordinates of a straight element at any inclination.")
     page.words("""What small displacements meet is the tangent at rest. Take a horizontal element, {zero}, where {rx} and {ry}, so that {J}. Then (11) is
-        {S_a}, and so on, and the columns of the tangent become rows of derivatives of {S}:""", zero=Symbol(r"\theta = 0", 0),
+        {S_a}, {S_b}, and {S_c}. Their products with {e_0} contain {one}, the first component of {r_x}, which is one, and {two}, its second, which is zero; likewise for {r_y}. So the columns of the
+        tangent become rows of derivatives of {S}:""", zero=Symbol(r"\theta = 0", 0),
                rx=Symbol(r"\mathbf r_x = \begin{bmatrix}1 & 0\end{bmatrix}^{\mathsf T}", 0),
                ry=Symbol(r"\mathbf r_y = \begin{bmatrix}0 & 1\end{bmatrix}^{\mathsf T}", 0), J=Symbol(r"\mathbf J = \mathbf I", 0),
-               S_a=Symbol(r"\mathbf S_a = \mathbf S_{1x}^{\mathsf T} \mathbf S_{1x} + \mathbf S_{2x}^{\mathsf T} \mathbf S_{2x}", 0), S=Y.S)
+               S_a=Symbol(r"\mathbf S_a = \mathbf S_{1x}^{\mathsf T} \mathbf S_{1x} + \mathbf S_{2x}^{\mathsf T} \mathbf S_{2x}", 0), S=Y.S,
+               S_b=Symbol(r"\mathbf S_b = \mathbf S_{1y}^{\mathsf T} \mathbf S_{1y} + \mathbf S_{2y}^{\mathsf T} \mathbf S_{2y}", 0),
+               S_c=Symbol(r"\mathbf S_c = \mathbf S_{1x}^{\mathsf T} \mathbf S_{1y} + \mathbf S_{2x}^{\mathsf T} \mathbf S_{2y}", 0), e_0=e_0, one=row(1, "x") * e_0, two=row(2, "x") * e_0,
+               r_x=Y.r_x, r_y=Y.r_y)
     level = [Symbol(rf"{symbol.text}(\mathbf e_0)", horizontal(at_rest(symbol.meaning))) for symbol in (a, b, c)]
     page.formulas_of([(level[0], 2 * row(1, "x").T), (level[1], 2 * row(2, "y").T), (level[2], row(1, "y").T + row(2, "x").T)],
                      how="The left sides are those above at the nodal coordinates of the horizontal element.")
@@ -100,9 +104,10 @@ def write(page):
     page.formula(K_0, Integral("V", (lam + 2 * mu) * (one_x.T * one_x + two_y.T * two_y)
                                + lam * (one_x.T * two_y + two_y.T * one_x) + mu * shear.T * shear),
                  how="The left side holds the second derivatives of the energy.")
-    page.words("""One entry by hand, that of the first coordinate, which moves the beginning along the rod. It is in {S_1x} alone, with the
-        factor {slope}. By (3)""", S_1x=one_x, slope=Symbol(r"\frac{\partial S_1}{\partial x}", 0))
-    slope = Symbol(r"\frac{\partial S_1}{\partial x}", Y.SHAPES[0].derivative("x"))
+    page.words("""One entry by hand, that of the first coordinate, which moves the beginning along the rod. It is a first component, so by (2) it
+        is in {S_1x}, in which it has the factor {slope}, and in {S_1y}, where its factor is zero, as {S_1} does not contain {y}. The volume is the section times the length, and the mean of a
+        power of {xi} one over its exponent plus one. By (3)""", S_1x=one_x, S_1y=row(1, "y"), S_1=Symbol("S_1", 0), y=Y.y, xi=xi, slope=Symbol(r"\frac{\partial S_1}{\partial x}", 0))
+    slope = Symbol(r"\frac{\partial S_1}{\partial x}", Y.SHAPES[0].derivative("x"), PRODUCT)
     page.formulas_of([
         (slope, Quotient(node(-5) + 16 * xi - 12 * xi**2, l)),
         (l**2 * slope**2, 25 - 160 * xi + 376 * xi**2 - 384 * xi**3 + 144 * xi**4),
