@@ -72,6 +72,8 @@ def write(page):
     g, dt = Symbol(r"\mathbf g", column([fmpq(0), GRAVITY])), Symbol(r"\Delta t", STEP)
     half = node("1/2")
     page.heading("9 In numbers: the first step of a pendulum")
+    page.rust("equations.shape::coefficients", "equations.shape::S", "equations.inertia::M", "equations.inertia::Q_w_gravity", "equations.force::tangent",
+              "equations.motion::acceleration")
     page.words("""The pendulum of the paper's Table 1, without heat, as one element: a soft, slender rod that is held level, pinned at its first node, and let
         go. Numbers are exact, in SI units; as {l} is one, it is not written from here on.""", l=l)
     page.formulas_of([(l, node(1)), (h, w, Decimal("0.02")), (rho, node(7750)), (E, Decimal("2e8")), (g, Table([0], [Decimal("-9.8")])),

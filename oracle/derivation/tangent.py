@@ -82,7 +82,7 @@ def write(page):
     page.words("""{K} holds the stresses and is called the geometric part, the integral holds the elasticity, the
         material part. Both are symmetric, as second derivatives are.""", K=K)
 
-    page.section("", "At rest")
+    page.section("", "At rest", ["equations.force::tangent"])
     page.words("""The cold element that nobody has touched has no strain, so its {K} is zero: the matrix that the paper calls
         stiffness holds stresses only. Heated and held as it was, it has""", K=K)
     page.formula(Symbol(r"\mathbf K(\mathbf e_0)", at_rest(K.meaning)), -((lam + mu) * heat * Integral("V", S_a1 + S_b1)),

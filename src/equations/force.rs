@@ -4,7 +4,8 @@
 //! J₀ is singular the results are not finite.
 //!
 //! Derived step by step: `oracle/DERIVATION.md#5-energy-and-forces`, there (18) and E3 `#18-strain-energy`,
-//! (19) `#19-elastic-forces`, (20) `#20-the-stiffness-matrix`, (21) and E2 `#21-its-parts`, ∂Q_e/∂e `#the-tangent`.
+//! (19) `#19-elastic-forces`, (20) `#20-the-stiffness-matrix`, (21) and E2 `#21-its-parts`, ∂Q_e/∂e `#the-tangent`,
+//! at rest `#at-rest`.
 //!
 //! (18)–(21) of one state: a rod is held at its initial length and heated, so that both stresses are −2(λ + μ) α_T ΔT.
 //!

@@ -3,7 +3,7 @@
 //! (22) works on arrays of fixed size, (23) on a structure's n coordinates q and its c constraints Φ(q) = 0.
 //!
 //! Derived step by step: `oracle/DERIVATION.md#6-motion`, there (22) `#22-one-element`, (23) and E4
-//! `#23-elements-held-together`.
+//! `#23-elements-held-together`, a first step in numbers `#9-in-numbers-the-first-step-of-a-pendulum`.
 
 use super::element::Matrix14;
 use super::shape::Vector14;

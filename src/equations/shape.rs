@@ -13,9 +13,10 @@
 //! ```
 //!
 //! Derived step by step: `oracle/DERIVATION.md#1-position-from-a-polynomial-to-shape-functions`, there (A.1) `#a1-the-polynomial`,
-//! (A.2) `#a2-what-the-nodal-vectors-are`, (A.3) and E1 `#a3-the-coefficients`, (A.4) `#a4-position-by-the-nodal-vectors`,
-//! (A.5) `#a5-what-interpolation-keeps`, (1) `#1-position-is-a-matrix-times-the-nodal-coordinates`, (2) `#2-the-shape-matrix`,
-//! (3) `#3-the-shape-functions`, (4) `#4-the-nodal-coordinates`, (5) `#5-velocity`.
+//! (A.2) `#a2-what-the-nodal-vectors-are`, (A.3) `#a3-the-coefficients`, E1 `#e1-an-error-in-the-paper`,
+//! (A.4) `#a4-position-by-the-nodal-vectors`, (A.5) `#a5-what-interpolation-keeps`,
+//! (1) `#1-position-is-a-matrix-times-the-nodal-coordinates`, (2) `#2-the-shape-matrix`, (3) `#3-the-shape-functions`,
+//! (4) `#4-the-nodal-coordinates`, (5) `#5-velocity`.
 
 use nalgebra::{SMatrix, SVector, Vector2};
 
