@@ -3,9 +3,9 @@
     python teaching/check.py --ancf target/release/ancf      # needs Python 3.11, and the network for `pip install`
 
 A fenced block `sh` is a command, run from a copy of the repository with no more than `ancf`, Python and the system's programs on the path.
-A block `text` in a solution is what the commands of its task print, line by line. A number in bold is a claim: it is the value of the Python expression
-in the comment behind it (`**12.5** <!-- = 25 / 2 -->`), or, to its last digit, a number that the task's commands print. Each claim is also tried with
-another last digit, which must fail.
+A block `text` in a solution is what the commands of its task print, line by line. A number in bold is a claim: it is the value of the
+Python expression in the comment behind it (`**12.5** <!-- = 25 / 2 -->`), or, to its last digit, a number that the task's commands print.
+Each claim is also tried with another last digit, which must fail.
 """
 
 import argparse
@@ -29,6 +29,8 @@ NUMBER = re.compile(r"[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 # Fewer digits are found by chance: such a number needs an expression.
 DIGITS = 3
 LIMIT = 300.0
+# What `pip` may need of the surroundings.
+NETWORK = ("PIP_CACHE_DIR", "PIP_INDEX_URL", "HTTPS_PROXY", "https_proxy", "SSL_CERT_FILE")
 NAMES = {"sqrt": math.sqrt, "pi": math.pi}
 
 
@@ -92,8 +94,8 @@ def environment(folder, ancf):
     programs.mkdir()
     (programs / "ancf").symlink_to(Path(ancf).resolve())
     (programs / "python3").symlink_to(sys.executable)
-    return {"PATH": f"{programs}:/usr/bin:/bin", "HOME": str(folder), "LANG": "C.UTF-8", "PIP_DISABLE_PIP_VERSION_CHECK": "1"} | {
-        name: os.environ[name] for name in ("PIP_CACHE_DIR", "PIP_INDEX_URL", "HTTPS_PROXY", "https_proxy", "SSL_CERT_FILE") if name in os.environ}
+    fresh = {"PATH": f"{programs}:/usr/bin:/bin", "HOME": str(folder), "LANG": "C.UTF-8", "PIP_DISABLE_PIP_VERSION_CHECK": "1"}
+    return fresh | {name: os.environ[name] for name in NETWORK if name in os.environ}
 
 
 def main():

@@ -163,10 +163,11 @@ def write(page):
     parabola = h**2 - 4 * y**2
     page.formula(Integral("A", parabola)**2, node("5/6") * w * h * Integral("A", parabola**2),
                  how="Both sides are integrated over the section.")
-    page.words("""Timoshenko's 5/6. The paper has no such factor, so neither has this project. What it would change: the tip
-        of the pendulum without heat by 0.11 mm at most within 2 s, give or take 0.06 (`shear` in `fixtures/pendulum.json`), that
-        of the suddenly heated one by a centimetre. The waves of the sudden heat pump bending, and the rod without the factor ends up 1.1 cm from
-        the solid, with it half a millimetre (`python -m oracle.motion.shear`, some minutes).""")
+    page.words("""Timoshenko's 5/6. The paper has no such factor, so neither has this project. What it would change: the
+        tip of the pendulum without heat by 0.11 mm at most within 2 s, give or take 0.06 (`shear` in
+        `fixtures/pendulum.json`), that of the suddenly heated one by a centimetre. The waves of the sudden heat pump
+        bending, and the rod without the factor ends up 1.1 cm from the solid, with it half a millimetre (`python -m
+        oracle.motion.shear`, some minutes).""")
 
     page.section("", "M7 One-dimensional heat has a direction")
     page.words("""The model that the paper compares with heats a rod along its axis only. Strains here are in global

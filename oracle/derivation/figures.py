@@ -73,14 +73,14 @@ def shapes():
     drawing = Drawing(760, 210, "Shape functions of positions and of the slope along, and of the slopes across")
     for left, numbers, factor in ((40, (1, 3, 6, 4), None), (420, (2, 5, 7), 1.0)):
         drawing.place((left, 130), 110)
-        drawing.scale = 110
         drawing.line([(0, 0), (2.6, 0)], width=1)
         drawing.line([(0, -0.5), (0, 1.1)], width=1)
         for number, colour in zip(numbers, ("first", "second", "third", "line")):
             values = [SHAPES[number - 1](x, factor or 0) for x in FINE]
             drawing.line([(2.5 * x, value) for x, value in zip(FINE, values)], colour, 2)
             top = max(range(41), key=lambda k: abs(values[k]))
-            drawing.words((2.5 * FINE[top], values[top]), f"S_{number}" + (" / y" if factor else " / l" if number == 4 else ""), colour, (8, -4 if values[top] > 0 else 14))
+            over = " / y" if factor else " / l" if number == 4 else ""
+            drawing.words((2.5 * FINE[top], values[top]), f"S_{number}{over}", colour, (8, -4))
         drawing.words((2.5, 0), "ξ = 1", offset=(-10, 18))
     return drawing
 

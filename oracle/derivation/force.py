@@ -5,9 +5,9 @@ import sympy
 from ..element import field
 from . import symbols as Y
 from .algebra import GEN, NODAL, Matrix, column, normal, over_volume, replace, total
-from .calculus import Derivative, Each, Evaluated, Integral, Total
+from .calculus import Derivative, Each, Evaluated, Function, Integral, Total
 from .inertia import MOVE
-from .material import LAMBDA, MU, mu_of, nu
+from .material import LAMBDA, MU, lambda_of, mu_of, nu
 from .notation import PRODUCT, Grouped, Quotient, Symbol, node
 from .symbols import (EPS, HALF, PLANE, S_a, S_a1, S_b, S_b1, S_c, S_c1, SIGMA, SQUARES, bar_1, bar_2, bar_3, e, e_0, energy,
                       eps, eps_1, eps_2, eps_3, heat, lam, mu, sigma, sigma_1, sigma_2, sigma_3, theta)
@@ -44,17 +44,22 @@ K = Symbol(r"\mathbf K", weighted((SIGMA[0], SIGMA[1], 2 * SIGMA[2])))
 U_printed = Symbol(r"U_\text{printed}", normal(over_volume(total(a * b for a, b in zip(EPS, SIGMA)) * HALF)))
 
 
+def turned_strain(angle, own):
+    """Components 11, 22 and 12 of a strain in a frame rotated by an angle."""
+    R = sympy.Matrix([[sympy.cos(angle), -sympy.sin(angle)], [sympy.sin(angle), sympy.cos(angle)]])
+    E = R * sympy.Matrix([[own[0], own[2]], [own[2], own[1]]]) * R.T
+    return E[0, 0], E[1, 1], E[0, 1]
+
+
 def frame():
     """Energy density with a weight for the shear, of a strain given in the rod's own axes, in a frame rotated by theta."""
     angle = sympy.Symbol("theta", real=True)
     own = sympy.symbols("E_11 E_22 E_12", real=True)
     first, second = LAMBDA, MU
-    R = sympy.Matrix([[sympy.cos(angle), -sympy.sin(angle)], [sympy.sin(angle), sympy.cos(angle)]])
-    E = R * sympy.Matrix([[own[0], own[2]], [own[2], own[1]]]) * R.T
+    along, across, shear = turned_strain(angle, own)
 
     def density(weight):
-        return ((first + 2 * second) / 2 * (E[0, 0]**2 + E[1, 1]**2) + first * E[0, 0] * E[1, 1]
-                + weight * second / 2 * E[0, 1]**2)
+        return (first + 2 * second) / 2 * (along**2 + across**2) + first * along * across + weight * second / 2 * shear**2
 
     return angle, own, density
 
@@ -81,8 +86,18 @@ def write(page):
     E_11, E_22, E_12 = (Symbol(rf"\varepsilon_{{{n}}}", symbol) for n, symbol in zip(("tt", "nn", "tn"), own))
     page.words("""This is no matter of taste, because a body's energy must not depend on who looks. Take one strain,
         given in the rod's own axes as {tt}, {nn} and {tn}, and describe it from a frame turned by {phi}. With the 2, the
-        density {psi} of the energy does not change; without it, it does. At the frame along the rod:""",
+        density {psi} of the energy does not change; without it, it does. The components turn as those of any tensor:""",
                phi=PHI, psi=psi, tt=E_11, nn=E_22, tn=E_12)
+    turning = {rf"\{name}": Symbol(rf"\{name}\varphi", function(angle)) for name, function in (("cos", sympy.cos), ("sin", sympy.sin))}
+    C, S = (Function(name, PHI, turning) for name in turning)
+    first, second, third = (Symbol(f"\\varepsilon_{k}", value) for k, value in enumerate(turned_strain(angle, own), 1))
+    page.formulas_of([
+        (first, E_11 * C**2 + E_22 * S**2 - 2 * E_12 * S * C), (second, E_11 * S**2 + E_22 * C**2 + 2 * E_12 * S * C),
+        (third, (E_11 - E_22) * S * C + E_12 * (C**2 - S**2)),
+        (psi, half * (lambda_of + 2 * mu_of) * (first**2 + second**2) + lambda_of * first * second + 2 * mu_of * third**2),
+        (psi_printed, psi - mu_of * third**2)],
+        how="The strains are the product of the rotation matrix, the tensor and the transpose; the densities are computed with them.")
+    page.words("""The first two squares gain, in a turn, what the third loses twice. Differentiate, and take the frame along the rod:""")
 
     def slope(symbol):
         return Derivative(symbol, PHI.text, [angle])
@@ -113,7 +128,8 @@ def write(page):
         counted twice. Heat does not depend on {e_n}, so the strains (13) take the place of those less heat:""",
                W=U, e_n=Symbol("e_n", 0))
     page.formula(Each(lambda n: by(U, n), index="n", last=14),
-                 Each(lambda n: Integral("V", sigma_1 * by(eps_1, n) + sigma_2 * by(eps_2, n) + 2 * sigma_3 * by(eps_3, n)), index="n", last=14),
+                 Each(lambda n: Integral("V", sigma_1 * by(eps_1, n) + sigma_2 * by(eps_2, n) + 2 * sigma_3 * by(eps_3, n)),
+                      index="n", last=14),
                  how="For all 14 coordinates; the left side is differentiated from the energy (18).")
     page.words("""A strain is a double sum over coordinates, in which {e_n} stands twice, as first factor and as second:""", e_n=Symbol("e_n", 0))
     page.formula(Each(lambda n: by(eps_1, n), index="n", last=14),

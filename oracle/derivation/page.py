@@ -125,7 +125,7 @@ class Page:
 
     def figure(self, name, words):
         """A picture of `figures`, and what it shows."""
-        self.blocks.append(f"![{name}](figures/{name}.svg)\n\n*{words}.*")
+        self.blocks.append(f"![{name}](figures/{name}.svg)\n\n*{' '.join(words.split())}.*")
 
     def exercise(self, task, sheet, **named):
         """A task for pen and paper, with the sheet that has it and more."""

@@ -88,11 +88,13 @@ def write(page):
         (a_2 + half * a_3 + Quotient(l**2, node(4)) * a_6, r_y_j),
         (a_2 + l * a_3 + l**2 * a_6, r_y_k)],
         how="The left sides have the coefficients that solve (A.2).")
-    page.words("""**First exercise**, five minutes. Solve the three lines for {a_3} and {a_6} before you read on. (The answer is in (A.3).)""", a_3=a_3, a_6=a_6)
+    page.words("""**First exercise**, five minutes. Solve the three lines for {a_3} and {a_6} before you read on. (The answer is in (A.3).)""",
+               a_3=a_3, a_6=a_6)
     page.words("Four times the second line less the third is rid of {a_6}:", a_6=a_6)
     page.formula(3 * a_2 + l * a_3, 4 * r_y_j - r_y_k, how="As above.")
     page.words("""The first line gives {a_2}, this one {a_3}, the third {a_6}:""", a_2=a_2, a_3=a_3, a_6=a_6)
-    page.formulas_of([(l * a_3, -(3 * r_y_i) + 4 * r_y_j - r_y_k), (l**2 * a_6, r_y_k - r_y_i - l * a_3, 2 * r_y_i - 4 * r_y_j + 2 * r_y_k)],
+    page.formulas_of([(l * a_3, -(3 * r_y_i) + 4 * r_y_j - r_y_k), 
+                      (l**2 * a_6, r_y_k - r_y_i - l * a_3, 2 * r_y_i - 4 * r_y_j + 2 * r_y_k)],
                      how="As above.")
     page.words("The other four conditions lie on the axis, where {y} is zero:", y=y)
     page.formulas_of([

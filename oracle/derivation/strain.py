@@ -85,9 +85,9 @@ def write(page):
         (e.T * S_b * e, r_x.T * r_x * sin()**2 + 2 * r_x.T * r_y * sin() * cos() + r_y.T * r_y * cos()**2),
         (e.T * S_c * e, r_x.T * r_x * sin() * cos() + r_x.T * r_y * (cos()**2 - sin()**2) - r_y.T * r_y * sin() * cos())],
         how="The matrices are those of products of gradients, each for one nodal coordinate alone.")
-    page.words("""Along the global first axis, at {zero}, these are the slopes' products alone. Now put {r_x} and {r_y}, row by row:
-        the product of two slopes is a sum over the two rows {p} of {S}, such as {product}. What stands between {eT} and {e} depends on the place and on
-        {theta} alone:""", zero=Symbol(r"\theta = 0", 0), r_x=Symbol(r"\mathbf r_x = \mathbf S_x \mathbf e", 0),
+    page.words("""Along the global first axis, at {zero}, these are the slopes' products alone. Now put {r_x} and {r_y},
+        row by row: the product of two slopes is a sum over the two rows {p} of {S}, such as {product}. What stands
+        between {eT} and {e} depends on the place and on {theta} alone:""", zero=Symbol(r"\theta = 0", 0), r_x=Symbol(r"\mathbf r_x = \mathbf S_x \mathbf e", 0),
                r_y=Symbol(r"\mathbf r_y = \mathbf S_y \mathbf e", 0), S=Y.S, p=Symbol("p", 0), eT=e.T, e=e, theta=theta,
                product=Symbol(r"\mathbf e^{\mathsf T} \mathbf S_{px}^{\mathsf T} \mathbf S_{py} \mathbf e", 0))
 
