@@ -86,6 +86,8 @@ def write(page):
     page.words(f"""The two stretches differ by {excess:.0f} millionths for the paper's pendulum at 200 K. The
         radicand must stay positive: scenes that cool further are refused.""")
 
+    page.exercise("A free rod of one metre is 200 K warmer. Where is its end?", "5-heat")
+
     page.section("", "M3 Free of locking only without Poisson's ratio")
     page.words("""Bend the element at rest to the unit curvature: fibres above the axis shorten, those below
         stretch, in proportion to {y}. They want to grow and shrink across, in proportion to {y} too, but {r_y} is
@@ -109,6 +111,8 @@ def write(page):
     page.formulas_of([(Quotient(E, Quotient(E, 1 - nu**2)), 1 - nu**2),
                       (Quotient(E, lambda_of + 2 * mu_of), Quotient((1 + nu) * (1 - 2 * nu), 1 - nu))],
                      how="All sides are computed; the constants on the left are those derived in (17).")
+
+    page.exercise("A cantilever has Poisson's ratio 0.3. Which deflection will the element have, and which should it?", "6-locking")
 
     page.section("", "M4 Slender rods in large bending converge slowly")
     page.words("""A slender rod bends without stretching: the axis has to shorten along the chord as it deflects.
@@ -150,6 +154,8 @@ def write(page):
     page.formulas_of([(Symbol(r"\deg_x", sympy.Integer(degrees["x"])), node(8)),
                       (Symbol(r"\deg_y", sympy.Integer(degrees["y"])), node(4))],
                      how="The left sides are the degrees of the energy's density as a polynomial of the place.")
+
+    page.exercise("Leave out one point, along or across. Which states notice?", "8-another-program")
 
     page.section("", "M6 No shear correction")
     page.words("""A straight section that leans by the unit angle shears evenly, and the energy is that of an even

@@ -137,10 +137,10 @@ def turned_frame():
     for value in (0.75, 1.0):
         drawing.line([(0, 600 * (value - 0.7)), (380, 600 * (value - 0.7))], width=1, dashed=True)
         drawing.words((0, 600 * (value - 0.7)), f"{value:g}", offset=(-34, 5))
-    for function, colour, label in ((right, "third", "right"), (printed, "second", "as printed")):
+    for function, colour, label, down in ((right, "third", "right", -8), (printed, "second", "as printed", 18)):
         points = [(k, 600 * (function(pi * k / 380) / right(0) - 0.7)) for k in range(0, 381, 4)]
         drawing.line(points, colour, 2.5)
-        drawing.words(points[24], label, colour, (-24, -8))
+        drawing.words(points[24], label, colour, (-34, down))
     for part, label in ((0, "φ = 0"), (190, "90°"), (380, "180°")):
         drawing.words((part, 0), label, offset=(-14, 20))
     return drawing

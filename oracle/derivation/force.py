@@ -121,6 +121,8 @@ def write(page):
         an axis none. Rods of a deployable structure are inclined. Everything in this project but what has *printed*
         in its name uses (18) as it stands here.""")
 
+    page.exercise("A rod at 45 degrees is pulled, and free to shear. By which factor is it too soft with the printed energy?", "7-errata")
+
     page.section("19", "Elastic forces", ["equations.force::Q_e"])
     page.words("""If the nodal coordinates change a little, the energy changes; its derivative is the force against
         that change. **In indices.** {W} is quadratic in the strains, so its derivative by one coordinate {e_n} is a
