@@ -4,9 +4,8 @@ import sympy
 
 from ..element import field
 from . import symbols as Y
-from .algebra import GEN, NODAL, column, entries, hessian, normal, replace
+from .algebra import GEN, column, normal
 from .calculus import Along, Integral, Root
-from .force import U
 from .material import E, LAMBDA, MU, lambda_of, mu_of, nu
 from .notation import POWER, PRODUCT, Grouped, Power, Quotient, Symbol, Table, node
 from .strain import turned

@@ -6,7 +6,7 @@ from flint import fmpq, fmpq_mat
 from ..element import field
 from ..fixtures.fixture import from_sympy
 from . import symbols as Y
-from .algebra import NAMES, NODAL, Matrix, column
+from .algebra import NAMES, NODAL, column
 from .force import Q_e
 from .inertia import M, Q_w
 from .notation import PRODUCT, Decimal, Quotient, Symbol, Table, node
@@ -97,7 +97,7 @@ def write(page):
                place=Symbol(r"\begin{bmatrix}x & y\end{bmatrix}^{\mathsf T}", 0))
     zero, half_way, one, up = (Table([a], [b]) for a, b in ((0, 0), (half, 0), (1, 0), (0, 1)))
     names = (r"\mathbf r^i", r"\mathbf r_y^i", r"\mathbf r^j", r"\mathbf r_x^j", r"\mathbf r_y^j", r"\mathbf r^k", r"\mathbf r_y^k")
-    r_i, r_y_i, r_j, r_x_j, r_y_j, r_k, r_y_k = nodal = [Symbol(text, vector(run.e_0, 2 * n)) for n, text in enumerate(names)]
+    r_i, r_y_i, r_j, r_x_j, r_y_j, r_k, r_y_k = [Symbol(text, vector(run.e_0, 2 * n)) for n, text in enumerate(names)]
     page.formulas_of([(r_i, zero), (r_j, half_way), (r_x_j, one), (r_k, one), (r_y_i, r_y_j), (r_y_j, r_y_k), (r_y_k, up)],
                      how="The left sides are read off the field.")
     page.words("""**Coefficients.** (A.3) gives back what was put in, {a_1} among them, and zero for all of higher degree:""",

@@ -5,7 +5,7 @@ from .algebra import GEN, NODAL, Matrix, column, entries, hessian, normal, over,
 from .calculus import Integral
 from .force import K, Q_e, U, quarter
 from .notation import PRODUCT, Quotient, Symbol, Table, node
-from .symbols import (S_a1, S_b1, S_c1, e, e_0, eps_1, eps_2, eps_3, h, heat, l, lam, mu, row, theta, w, xi)
+from .symbols import (S_a1, S_b1, S_c1, e, e_0, eps_1, eps_2, eps_3, h, heat, l, lam, mu, row, w, xi)
 
 # Coordinates that stretch a horizontal element, and those that bend it, as numbers in (4): of positions and of the slope along,
 # then of the slopes across.
