@@ -136,13 +136,8 @@ impl Structure {
         ];
         let mut runs = in_parallel("scissors", families.as_flattened(), simulate)?.into_iter();
         let mut next = || runs.next().unwrap_or(ScissorsRun { step: STEP, trajectory: Trajectory::default() });
-        let mut family = || Family {
-            flexible: next(),
-            axis: next(),
-            section: next(),
-            axis_and_section: next(),
-            hot_half: next(),
-        };
+        let mut family =
+            || Family { flexible: next(), axis: next(), section: next(), axis_and_section: next(), hot_half: next() };
         let (fine, damped, twice_the_step, coarse) = (family(), family(), family(), family());
         Ok(Structure { fine, damped, twice_the_step, coarse })
     }
