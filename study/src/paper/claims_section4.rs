@@ -97,7 +97,9 @@ const CLAIMS: [Claim; 11] = [
         find: |family| {
             let rms =
                 |[a, b]: [&ScissorsRun; 2], rod| a.deflection(rod).less(&b.deflection(rod)).within(2.7, END).rms();
-            let share = |runs, rod| rms(runs, rod) / rms([&family.axis_and_section, &family.flexible], rod);
+            let share = |runs: [&ScissorsRun; 2], rod: &str| {
+                rms(runs, rod) / rms([&family.axis_and_section, &family.flexible], rod)
+            };
             let of_2d = |rod: &str| share([&family.axis_and_section, &family.axis], rod);
             let alone = |rod: &str| share([&family.section, &family.flexible], rod);
             each(&RODS, of_2d, |share| share > 0.1).beside(&RODS, alone)
