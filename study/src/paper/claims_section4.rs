@@ -95,13 +95,10 @@ const CLAIMS: [Claim; 11] = [
         statement: "Transverse thermal strain contributes to them, in addition to axial strain.",
         measure: "r.m.s. of 2D minus 1D over that of 2D minus flexible, 2.7 … 3 s, per rod: above 0.1 (brackets: of heat across alone minus flexible)",
         find: |family| {
-            let rms =
-                |[a, b]: [&ScissorsRun; 2], rod| a.deflection(rod).less(&b.deflection(rod)).within(2.7, END).rms();
-            let share = |runs: [&ScissorsRun; 2], rod: &str| {
-                rms(runs, rod) / rms([&family.axis_and_section, &family.flexible], rod)
-            };
-            let of_2d = |rod: &str| share([&family.axis_and_section, &family.axis], rod);
-            let alone = |rod: &str| share([&family.section, &family.flexible], rod);
+            let Family { flexible, axis, section, axis_and_section, .. } = family;
+            let by_heat = |rod: &str| late_difference(axis_and_section, flexible, rod);
+            let of_2d = |rod: &str| late_difference(axis_and_section, axis, rod) / by_heat(rod);
+            let alone = |rod: &str| late_difference(section, flexible, rod) / by_heat(rod);
             each(&RODS, of_2d, |share| share > 0.1).beside(&RODS, alone)
         },
     },
@@ -252,6 +249,11 @@ impl Family {
         let [heated, flexible] = self.heated_and_flexible(quantity);
         [heated[0].less(&flexible[0]), heated[1].less(&flexible[1])]
     }
+}
+
+/// r.m.s. difference of a rod's deflection between two runs in 2.7 … 3 s.
+fn late_difference(run: &ScissorsRun, other: &ScissorsRun, rod: &str) -> f64 {
+    run.deflection(rod).less(&other.deflection(rod)).within(2.7, END).rms()
 }
 
 /// r.m.s. vibration of a rod's deflection in 2.7 … 3 s.
