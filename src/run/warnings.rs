@@ -1,7 +1,7 @@
 //! Warnings about a scene itself.
 
 use super::unresolved_loads::unresolved_load;
-use crate::model::{Form, Method, Poisson, Rod, Scene, Start};
+use crate::model::{Form, Method, Poisson, Rod, Scene, Start, ThermalModel};
 use crate::structure::Structure;
 
 /// Steps per crossing of an element by the axial wave below which a heat shock is poorly resolved, by the method's
@@ -82,7 +82,8 @@ fn form_warning(scene: &Scene) -> Option<String> {
 fn shock_warning(scene: &Scene) -> Option<String> {
     let (needed, crossing) = (steps_per_crossing(scene.time.method)?, Structure::wave_crossing_time(scene));
     let shock = scene.rods.iter().any(|rod| {
-        scene.heat(rod).is_some_and(|heat| {
+        // Heat across the rod alone starts no wave along it.
+        scene.heat(rod).filter(|heat| heat.model != ThermalModel::Transverse).is_some_and(|heat| {
             let sudden = heat.start == Start::Sudden && heat.at(0.0) != 0.0;
             // Heat within the time of a wave along the rod is practically sudden.
             let wave = Structure::wave_time(scene, rod);

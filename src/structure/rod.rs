@@ -14,7 +14,7 @@ use crate::equations::material::YoungPoisson;
 use crate::equations::shape::Vector14;
 use crate::equations::{cable, inertia};
 use crate::model::plan::Plan;
-use crate::model::{self, Form, Scene, Temperature, ThermalModel};
+use crate::model::{self, Form, Scene, Temperature};
 
 /// Rod, with what all of its elements share.
 #[derive(Debug)]
@@ -68,12 +68,7 @@ impl Rod {
     /// Thermal strain (along, across) at time `t`.
     pub fn thermal_strain(&self, t: f64) -> ThermalStrain {
         let Some(Heat { temperature, alpha }) = &self.heat else { return [0.0; 2] };
-        let strain = alpha * temperature.at(t);
-        match temperature.model {
-            ThermalModel::TwoD => [strain, strain],
-            ThermalModel::OneD => [strain, 0.0],
-            ThermalModel::None => [0.0; 2],
-        }
+        temperature.model.strains(alpha * temperature.at(t))
     }
 
     /// Nodal vectors of an element.

@@ -74,14 +74,14 @@ const STRUCTURE: [Scene; 3] = [
         title: "Deflections",
         text: "Deflection of the rods' middles from the chord, with and without heat.",
         pictures: &["figure7.svg"],
-        statements: 0..5,
+        statements: 0..6,
     },
     Scene {
         title: "The point a4",
         text: "The sudden force starts axial waves without damping: acceleration at an instant does not converge with mesh and step. Its mean over \
                20 ms does.",
         pictures: &["figure8-x.svg", "figure8-y.svg"],
-        statements: 5..10,
+        statements: 6..11,
     },
 ];
 
