@@ -1,7 +1,7 @@
 //! Texts for people: all rounding and formatting happens here.
 
 use ancf::internals::model::{Part, Plan};
-use ancf::model::{Method, Scene};
+use ancf::model::{Method, Scene, Section};
 use ancf::run::{ColumnAccuracy, Convergence, Run};
 
 use crate::ends::{energy_imbalance, final_time, final_values, largest_of};
@@ -54,6 +54,16 @@ pub fn plan_text(scene: &Scene) -> String {
     let elements: usize = scene.rods.iter().map(|rod| rod.elements).sum();
     let (rods, method) = (scene.rods.len(), scene.time.method);
     let mut lines = vec![scene.title.clone(), format!("{method}; rods: {rods}, elements: {elements}")];
+    let mut sections: Vec<&Section> = scene.rods.iter().map(|rod| scene.section(rod)).collect();
+    sections.dedup();
+    lines.extend(sections.iter().map(|section| {
+        let [height, width] = [section.height, section.width].map(rounded);
+        format!(
+            "section: {height} m high, {width} m wide, A = {:.4e} m², I = {:.4e} m⁴",
+            section.area(),
+            section.inertia()
+        )
+    }));
     lines.extend(parts.iter().map(line));
     lines.push("`ancf error-time` measures what this saves".into());
     lines.retain(|line| !line.is_empty());
