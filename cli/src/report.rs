@@ -33,6 +33,12 @@ pub fn run_text(scene: &Scene, run: &Run, wall_seconds: f64) -> String {
              accuracy in time and space)"
         ));
     }
+    if !run.accuracy.columns.is_empty() {
+        lines.push(
+            "± is the largest error anywhere in the run; the `mean` of a probe over a longer window has a smaller one"
+                .into(),
+        );
+    }
     for (of, estimate) in [("step", &run.accuracy.time), ("mesh", &run.accuracy.space)] {
         if let Some(estimate) = estimate {
             lines.push(format!("estimated error of the {of} {:.1e} m ({})", estimate.value, estimate.method));
@@ -90,9 +96,9 @@ fn sure(column: &ColumnAccuracy, value: f64, unit: &str) -> String {
         }
         (Convergence::Sure, digits @ 1..) => {
             let plural = if digits == 1 { "" } else { "s" };
-            format!(" ± {:.1e}, {digits} sure digit{plural}", column.total())
+            format!(" ± {:.1e}, {digits} reliable digit{plural}", column.total())
         }
-        _ => format!(" ± {:.1e}, no sure digit", column.total()),
+        _ => format!(" ± {:.1e}, no reliable digit", column.total()),
     }
 }
 

@@ -19,7 +19,7 @@ fn steps_per_crossing(method: Method) -> Option<f64> {
 
 /// All warnings about the scene itself.
 pub fn warnings(scene: &Scene) -> Vec<String> {
-    let warnings = [shock_warning, unresolved_load_warning, locking_warning, form_warning];
+    let warnings = [shock_warning, unresolved_load_warning, locking_warning, form_warning, clamp_warning];
     warnings.iter().filter_map(|warning| warning(scene)).collect()
 }
 
@@ -76,6 +76,16 @@ fn form_warning(scene: &Scene) -> Option<String> {
          times along its axis; the results are for comparison only"
             .into()
     })
+}
+
+/// Warning about a clamp at a point that nothing holds: its section keeps its direction, and moves.
+fn clamp_warning(scene: &Scene) -> Option<String> {
+    let held = |point: &str| scene.supports.iter().any(|other| other.point == point && !other.held().is_empty());
+    let loose = scene.supports.iter().find(|support| support.clamp.is_some() && !held(&support.point))?;
+    Some(format!(
+        "the clamp at `{}` keeps the direction of a section, and nothing holds the point itself; for a built-in end add \"fix\": [\"x\", \"y\"]",
+        loose.point
+    ))
 }
 
 /// Warning about implicit steps that do not resolve the wave of a heat shock.
