@@ -35,7 +35,9 @@ mod rod;
 mod rod_elements;
 mod rotation;
 mod rounding;
+mod row;
 mod stability;
+mod sweep;
 mod uniform_elements;
 mod unknown_kind;
 mod unknowns;
@@ -133,7 +135,7 @@ impl Structure {
 
     /// Product of the mass matrix and an acceleration (or velocity), into `sum`.
     pub fn inertia_into(&self, a: &DVector<f64>, sum: &mut DVector<f64>) {
-        sum.fill(0.0);
+        sum.as_mut_slice().fill(0.0);
         self.rods.iter().for_each(|rod| rod.mesh.add_inertia(a, sum));
     }
 
@@ -187,7 +189,7 @@ impl Structure {
 
     /// Elastic forces at the rods' thermal strains, into `sum`.
     pub fn force(&self, u: &DVector<f64>, thermal: &[ThermalStrain], sum: &mut DVector<f64>) {
-        sum.fill(0.0);
+        sum.as_mut_slice().fill(0.0);
         for (rod, eps_t) in self.rods.iter().zip(thermal) {
             rod.mesh.add_force(u, *eps_t, sum);
         }
@@ -195,7 +197,7 @@ impl Structure {
 
     /// Step-averaged elastic forces of the energy–momentum rule, into `sum`.
     pub fn mean_force(&self, step: &StepEnds, sum: &mut DVector<f64>) {
-        sum.fill(0.0);
+        sum.as_mut_slice().fill(0.0);
         for (n, rod) in self.rods.iter().enumerate() {
             rod.mesh.add_mean_force(&of_rod(step, n), sum);
         }

@@ -38,7 +38,7 @@ impl Structure {
         if self.plan.weight {
             sum.copy_from(&self.gravity);
         } else {
-            sum.fill(0.0);
+            sum.as_mut_slice().fill(0.0);
         }
         if self.is_static {
             *sum *= t;
