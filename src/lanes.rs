@@ -71,6 +71,24 @@ pub trait Lanes: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = S
     fn halves_swapped(self) -> Self;
 }
 
+/// Repeats a block for the lanes below a number, in ascending or (`rev`) descending order. The compiler leaves a loop with such a
+/// block a loop, and then keeps its registers in memory.
+macro_rules! for_lanes {
+    ($lane:ident < $count:expr, $body:block) => {
+        $crate::lanes::for_lanes!(@ $lane, $count, $body, 0 1 2 3)
+    };
+    (rev $lane:ident < $count:expr, $body:block) => {
+        $crate::lanes::for_lanes!(@ $lane, $count, $body, 3 2 1 0)
+    };
+    (@ $lane:ident, $count:expr, $body:block, $($number:literal)*) => {{
+        $({
+            let $lane: usize = $number;
+            if $lane < $count $body
+        })*
+    }};
+}
+pub(crate) use for_lanes;
+
 /// Row of four numbers that begins at `at`.
 #[inline(always)]
 pub fn load<L: Lanes>(token: L::Token, numbers: &[f64], at: usize) -> L {

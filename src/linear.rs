@@ -4,7 +4,6 @@
 //! multipliers among the unknowns each rod is a band, and a border couples the bands: [`Bordered`].
 
 mod band;
-mod banded_ldlt;
 mod bordered;
 mod condensed;
 mod frontal;
@@ -15,7 +14,6 @@ mod modes;
 mod number;
 
 pub use band::{BandLu, BandMatrix};
-pub use banded_ldlt::BandedLdlt;
 pub use bordered::{BlockMut, Bordered, BorderedLu, InertiaMemory};
 pub use condensed::CondensedFactors;
 pub use frontal::{Chain, FrontalChain, NO_UNKNOWN};

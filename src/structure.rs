@@ -52,6 +52,7 @@ use self::point::{Node, Point};
 use self::rod::Rod;
 use self::unknown_kind::UnknownKind;
 use crate::elements::{Ends, ThermalStrain};
+use crate::lanes::Path;
 use crate::linear::Layout;
 use crate::model::Force;
 use crate::model::plan::Plan;
@@ -65,6 +66,8 @@ pub use stability::StabilityCounter;
 #[derive(Clone, Debug)]
 pub struct Structure {
     plan: Plan,
+    /// Instructions of the processor.
+    path: Path,
     rods: Arc<[Rod]>,
     kinds: Vec<UnknownKind>,
     /// Reciprocal lengths that convert an unknown's force to newtons; 0 for multipliers.

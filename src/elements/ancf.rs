@@ -20,7 +20,7 @@ use nalgebra::Vector2;
 
 pub use section::Law;
 use section::{Resultants, Section, SectionLaw, Stiffness, geometric};
-use side_by_side::{Station, momenta_of_four};
+use side_by_side::{SideBySide, Station, momenta};
 
 use super::beam::{Beam, Ends, FourEnds, ThermalStrain};
 use super::collapse::{OUTERMOST, cross, smallest};
@@ -48,11 +48,11 @@ pub struct Ancf {
     /// 1/l
     per_length: f64,
     points: [GaussPoint; 5],
-    /// The points with the moduli of the section, for four elements side by side.
-    stations: [Station; 5],
     law: SectionLaw,
     /// h/2
     half_height: f64,
+    /// The same for four elements side by side.
+    four: SideBySide,
 }
 
 /// Displacement of an element as polynomials in ζ: p = u₀', and δ with the derivative l/2 κ.
@@ -71,13 +71,15 @@ impl Ancf {
         let (sin, cos) = theta.sin_cos();
         let (t, n, law) = (vec2(cos, sin), vec2(-sin, cos), SectionLaw::new(law, h, w));
         let stations = points.map(|point| Station::new(&point, &law));
-        Ancf { t, n, per_length: 1.0 / l, points, stations, law, half_height: 0.5 * h }
+        let (per_length, half_height) = (1.0 / l, 0.5 * h);
+        let four = SideBySide { t: [cos, sin], n: [-sin, cos], per_length, half_height, stations };
+        Ancf { t, n, per_length, points, law, half_height, four }
     }
 
     /// Makes the element compute the Poisson's terms of its law even where they are zero.
     pub fn with_poissons_terms(mut self, law: Law, h: f64, w: f64) -> Ancf {
         self.law.coupling = SectionLaw::coupling(law, h, w);
-        self.stations = self.points.map(|point| Station::new(&point, &self.law));
+        self.four.stations = self.points.map(|point| Station::new(&point, &self.law));
         self
     }
 
@@ -273,8 +275,8 @@ impl Beam<14> for Ancf {
     #[inline(always)]
     fn forces<L: Lanes>(&self, token: L::Token, u: &[L; 14], eps_T: [L; 2]) -> [L; 14] {
         match self.law.coupling {
-            None => self.forces_of_four::<L, false>(token, u, eps_T),
-            Some(_) => self.forces_of_four::<L, true>(token, u, eps_T),
+            None => self.four.forces::<L, false>(token, u, eps_T),
+            Some(_) => self.four.forces::<L, true>(token, u, eps_T),
         }
     }
 
@@ -310,29 +312,29 @@ impl Beam<14> for Ancf {
     #[inline(always)]
     fn mean_forces<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 14>) -> [L; 14] {
         match self.law.coupling {
-            None => self.mean_forces_of_four::<L, false>(token, ends),
-            Some(_) => self.mean_forces_of_four::<L, true>(token, ends),
+            None => self.four.mean_forces::<L, false>(token, ends),
+            Some(_) => self.four.mean_forces::<L, true>(token, ends),
         }
     }
 
     #[inline(always)]
     fn energies<L: Lanes>(&self, token: L::Token, u: &[L; 14], eps_T: [L; 2]) -> L {
-        self.energies_of_four(token, u, eps_T)
+        self.four.energies(token, u, eps_T)
     }
 
     #[inline(always)]
     fn heating_works<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 14>) -> L {
-        self.heating_works_of_four(token, ends)
+        self.four.heating_works(token, ends)
     }
 
     #[inline(always)]
     fn min_det_js<L: Lanes>(&self, token: L::Token, _before: &[L; 14], u: &[L; 14]) -> L {
-        self.min_det_js_of_four(token, u)
+        self.four.min_det_js(token, u)
     }
 
     #[inline(always)]
     fn momenta<L: Lanes>(token: L::Token, mass: &Matrix14, a: &[L; 14]) -> [L; 14] {
-        momenta_of_four(token, mass, a)
+        momenta(token, mass, a)
     }
 
     fn mean_tangent(&self, ends: &Ends<Vector14>) -> Matrix14 {

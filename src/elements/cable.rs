@@ -13,7 +13,7 @@ mod step;
 use nalgebra::Vector2;
 
 use axis::{Bend, Blocks, Both, Stretch, combined, outers};
-use side_by_side::momenta_of_four;
+use side_by_side::{SideBySide, momenta};
 use step::{BendStep, StretchStep};
 
 use super::beam::{Beam, Ends, FourEnds, ThermalStrain};
@@ -43,6 +43,8 @@ pub struct Cable {
     bending: [GaussPoint; 3],
     EA: f64,
     EI: f64,
+    /// The same for four elements side by side.
+    four: SideBySide,
 }
 
 /// Moments Σ w ζⁿ H of the stiffnesses in (p, s) at the Gauss points, n = 0 … 4.
@@ -63,7 +65,9 @@ impl Cable {
     pub fn new(l: f64, theta: f64, EA: f64, EI: f64) -> Cable {
         let (sin, cos) = theta.sin_cos();
         let (axial, bending) = (gauss_points(&GAUSS_5, l), gauss_points(&GAUSS_3, l));
-        Cable { t: vec2(cos, sin), per_length: 1.0 / l, axial, bending, EA, EI }
+        let (t, per_length) = (vec2(cos, sin), 1.0 / l);
+        let four = SideBySide { t: [cos, sin], per_length, axial, bending, EA, EI };
+        Cable { t, per_length, axial, bending, EA, EI, four }
     }
 
     /// Polynomial p = u_x of a displacement from its nodal vectors; its derivative with respect to ζ is l/2 u_xx.
@@ -262,7 +266,7 @@ impl Beam<8> for Cable {
 
     #[inline(always)]
     fn forces<L: Lanes>(&self, token: L::Token, u: &[L; 8], [eps_T, _]: [L; 2]) -> [L; 8] {
-        self.forces_of_four(token, u, eps_T)
+        self.four.forces(token, u, eps_T)
     }
 
     fn tangent(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> Matrix8 {
@@ -305,27 +309,27 @@ impl Beam<8> for Cable {
 
     #[inline(always)]
     fn mean_forces<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 8>) -> [L; 8] {
-        self.mean_forces_of_four(token, ends)
+        self.four.mean_forces(token, ends)
     }
 
     #[inline(always)]
     fn energies<L: Lanes>(&self, token: L::Token, u: &[L; 8], [eps_T, _]: [L; 2]) -> L {
-        self.energies_of_four(token, u, eps_T)
+        self.four.energies(token, u, eps_T)
     }
 
     #[inline(always)]
     fn heating_works<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 8>) -> L {
-        self.heating_works_of_four(token, ends)
+        self.four.heating_works(token, ends)
     }
 
     #[inline(always)]
     fn min_det_js<L: Lanes>(&self, token: L::Token, before: &[L; 8], u: &[L; 8]) -> L {
-        self.min_det_js_of_four(token, [before, u])
+        self.four.min_det_js(token, [before, u])
     }
 
     #[inline(always)]
     fn momenta<L: Lanes>(token: L::Token, mass: &Matrix8, a: &[L; 8]) -> [L; 8] {
-        momenta_of_four(token, mass, a)
+        momenta(token, mass, a)
     }
 
     fn mean_tangent(&self, ends: &Ends<Vector8>) -> Matrix8 {

@@ -51,7 +51,8 @@ impl EquationOfMotion {
         structure.thermal_strains_into(t, &mut self.thermal);
         structure.force(u, &self.thermal, &mut self.force);
         structure.load_into(t, &mut self.a);
-        self.a -= &self.force;
+        let forces = self.force.as_slice();
+        self.a.as_mut_slice().iter_mut().zip(forces).for_each(|(a, force)| *a -= force);
         self.mass.solve(&mut self.a);
         counts.force_calls += 1;
         counts.solves += 1;

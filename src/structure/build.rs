@@ -98,6 +98,7 @@ impl Structure {
         check_memory(size, layout.border_band, layout.bytes().saturating_add(eliminated))?;
         let mut structure = Structure {
             plan: *plan,
+            path,
             shortest_element: rods.iter().map(|rod| rod.along.norm()).fold(f64::INFINITY, f64::min),
             rounding_scale: rods.iter().map(|rod| rod.mesh.rounding_scale()).fold(0.0, f64::max),
             force_weights: DVector::from_iterator(kinds.len(), kinds.iter().map(UnknownKind::weight)),

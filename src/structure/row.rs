@@ -19,7 +19,7 @@
 //! four is told where its numbers are, and vectors with axes of their own are turned in the registers.
 
 use super::node_dofs::NodeDofs;
-use crate::lanes::{LANES, Lanes, load, store};
+use crate::lanes::{LANES, Lanes, for_lanes, load, store};
 use crate::linear::NO_UNKNOWN;
 
 /// Coordinates of a node, which neighbours share.
@@ -152,6 +152,24 @@ impl<const N: usize> Row<N> {
         columns
     }
 
+    /// Coordinates of node `node` of the row, in its own axes; 0 where held.
+    #[inline(always)]
+    pub fn node<L: Lanes>(&self, token: L::Token, node: usize, u: &[f64]) -> L {
+        match &self.place {
+            Place::Together(first) => load(token, u, first + node * Self::STRIDE),
+            Place::Apart(apart) => apart.node(node, self.count).load(token, u),
+        }
+    }
+
+    /// Writes the coordinates of node `node` of the row, in its own axes.
+    #[inline(always)]
+    pub fn set_node<L: Lanes>(&self, node: usize, row: L, u: &mut [f64]) {
+        match &self.place {
+            Place::Together(first) => store(row, u, first + node * Self::STRIDE),
+            Place::Apart(apart) => apart.node(node, self.count).set(row, u),
+        }
+    }
+
     /// Adds the elements' forces to a vector of unknowns.
     #[inline(always)]
     pub fn add<L: Lanes>(&self, token: L::Token, mut forces: [L; N], sum: &mut [f64]) {
@@ -191,12 +209,10 @@ impl<const N: usize> Row<N> {
                 // One nodal vector is left of the paper's element.
                 if at < k {
                     let (x, y) = (forces[at].to_array(), forces[at + 1].to_array());
-                    for lane in 0..LANES {
-                        if lane < self.count {
-                            sum[lane * k + at] += x[lane];
-                            sum[lane * k + at + 1] += y[lane];
-                        }
-                    }
+                    for_lanes!(lane < self.count, {
+                        sum[lane * k + at] += x[lane];
+                        sum[lane * k + at + 1] += y[lane];
+                    });
                 }
                 store(load::<L>(token, sum, self.count * k) + last, sum, self.count * k);
             }
@@ -210,11 +226,8 @@ impl<const N: usize> Row<N> {
                 }
                 if at < k {
                     let (x, y) = (forces[at].to_array(), forces[at + 1].to_array());
-                    for (lane, quad) in quads[at / LANES].iter().enumerate() {
-                        if lane < self.count {
-                            quad.add_pair([x[lane], y[lane]], sum);
-                        }
-                    }
+                    let quads = &quads[at / LANES];
+                    for_lanes!(lane < self.count, { quads[lane].add_pair([x[lane], y[lane]], sum) });
                 }
                 quads[N.div_ceil(LANES) - 1][self.count - 1].add(token, last, sum);
             }
@@ -223,21 +236,47 @@ impl<const N: usize> Row<N> {
 
     #[inline(always)]
     fn add_rows<L: Lanes>(&self, token: L::Token, rows: &[L; LANES], at: usize, sum: &mut [f64]) {
-        for (lane, row) in rows.iter().enumerate() {
-            if lane < self.count {
-                let at = lane * Self::STRIDE + at;
-                store(load::<L>(token, sum, at) + *row, sum, at);
-            }
-        }
+        for_lanes!(lane < self.count, {
+            let at = lane * Self::STRIDE + at;
+            store(load::<L>(token, sum, at) + rows[lane], sum, at);
+        });
     }
 
     #[inline(always)]
     fn add_quads<L: Lanes>(&self, token: L::Token, rows: &[L; LANES], quads: &[Quad; LANES], sum: &mut [f64]) {
-        for (lane, (row, quad)) in rows.iter().zip(quads).enumerate() {
-            if lane < self.count {
-                quad.add(token, *row, sum);
+        for_lanes!(lane < self.count, { quads[lane].add(token, rows[lane], sum) });
+    }
+}
+
+impl Row<14> {
+    /// Writes the coordinates of the elements' interior nodes, in their own axes.
+    #[inline(always)]
+    pub fn set_interior<L: Lanes>(&self, columns: [L; 6], u: &mut [f64]) {
+        let rows = L::transpose([columns[0], columns[1], columns[2], columns[3]]);
+        let (x, y) = (columns[4].to_array(), columns[5].to_array());
+        match &self.place {
+            Place::Together(first) => {
+                let u = &mut u[*first..first + self.count * Self::STRIDE + SHARED];
+                for_lanes!(lane < self.count, {
+                    let at = lane * Self::STRIDE + SHARED;
+                    store(rows[lane], u, at);
+                    u[at + LANES] = x[lane];
+                    u[at + LANES + 1] = y[lane];
+                });
             }
+            Place::Apart(Apart { quads, .. }) => for_lanes!(lane < self.count, {
+                quads[1][lane].set(rows[lane], u);
+                quads[2][lane].set_pair([x[lane], y[lane]], u);
+            }),
         }
+    }
+}
+
+impl Apart {
+    /// Place of node `node` of a row of `count` elements.
+    #[inline(always)]
+    fn node(&self, node: usize, count: usize) -> &Quad {
+        if node < count { &self.quads[0][node] } else { &self.quads[self.quads.len() - 1][count - 1] }
     }
 }
 
@@ -270,16 +309,45 @@ impl Quad {
         }
     }
 
+    #[inline(always)]
+    fn set<L: Lanes>(&self, row: L, u: &mut [f64]) {
+        match self {
+            Quad::Together(first) => store(row, u, *first),
+            Quad::Apart(unknowns) => {
+                for (unknown, value) in unknowns.iter().zip(row.to_array()) {
+                    if let Some(u) = u.get_mut(*unknown as usize) {
+                        *u = value;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Unknowns of the first two coordinates.
+    #[inline(always)]
+    fn pair(&self) -> [usize; 2] {
+        match self {
+            Quad::Together(first) => [*first, first + 1],
+            Quad::Apart([a, b, ..]) => [*a as usize, *b as usize],
+        }
+    }
+
     /// Adds forces on the first two coordinates.
     #[inline(always)]
     fn add_pair(&self, forces: [f64; 2], sum: &mut [f64]) {
-        let [a, b] = match self {
-            Quad::Together(first) => [*first, first + 1],
-            Quad::Apart([a, b, ..]) => [*a as usize, *b as usize],
-        };
-        for (unknown, force) in [a, b].into_iter().zip(forces) {
+        for (unknown, force) in self.pair().into_iter().zip(forces) {
             if let Some(sum) = sum.get_mut(unknown) {
                 *sum += force;
+            }
+        }
+    }
+
+    /// Writes the first two coordinates.
+    #[inline(always)]
+    fn set_pair(&self, values: [f64; 2], u: &mut [f64]) {
+        for (unknown, value) in self.pair().into_iter().zip(values) {
+            if let Some(u) = u.get_mut(unknown) {
+                *u = value;
             }
         }
     }
@@ -297,3 +365,6 @@ impl Turn {
         [L::load(token, &self.cos), L::load(token, &self.sin)]
     }
 }
+
+#[cfg(test)]
+mod tests;

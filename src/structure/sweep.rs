@@ -6,7 +6,7 @@ use nalgebra::SMatrix;
 
 use super::row::Row;
 use crate::elements::{Beam, Ends, FourEnds, ThermalStrain};
-use crate::lanes::{Lanes, Task};
+use crate::lanes::{Lanes, Task, for_lanes};
 
 /// Rod whose elements are swept.
 #[derive(Clone, Copy)]
@@ -34,11 +34,8 @@ fn four_ends<L: Lanes, const N: usize>(token: L::Token, row: &Row<N>, ends: &End
 #[inline(always)]
 fn total<L: Lanes>(values: L, count: usize) -> f64 {
     let mut sum = 0.0;
-    for (lane, value) in values.to_array().into_iter().enumerate() {
-        if lane < count {
-            sum += value;
-        }
-    }
+    let values = values.to_array();
+    for_lanes!(lane < count, { sum += values[lane] });
     sum
 }
 

@@ -17,8 +17,8 @@
 //! Since κ = 2/l δ', κ₀ = 2/l δ₁ and κ₁ = 4/l δ₂; so a force on κ₀ is 2/l of one on δ₁, and one on κ₁ is 4/l of one on δ₂.
 
 use super::section::SectionLaw;
-use super::{Ancf, OUTERMOST};
 use crate::elements::beam::FourEnds;
+use crate::elements::collapse::OUTERMOST;
 use crate::elements::pair::{Pair, at};
 use crate::elements::polynomial::GaussPoint;
 use crate::equations::element::Matrix14;
@@ -135,9 +135,22 @@ impl<L: Lanes> Sums<L> {
     }
 }
 
-impl Ancf {
+/// Element as it is computed side by side.
+#[derive(Clone, Debug)]
+pub(super) struct SideBySide {
+    /// Unit vectors along the element and across it.
+    pub t: [f64; 2],
+    pub n: [f64; 2],
+    /// 1/l
+    pub per_length: f64,
+    /// h/2
+    pub half_height: f64,
+    pub stations: [Station; 5],
+}
+
+impl SideBySide {
     #[inline(always)]
-    fn shape_of_four<L: Lanes>(&self, token: L::Token, u: &[L; 14]) -> Shape<L> {
+    fn shape<L: Lanes>(&self, token: L::Token, u: &[L; 14]) -> Shape<L> {
         let (l, half) = (L::splat(token, self.per_length), L::splat(token, 0.5));
         let (two_l, two, three) = (L::splat(token, 2.0 * self.per_length), L::splat(token, 2.0), L::splat(token, 3.0));
         let vector = [
@@ -161,7 +174,7 @@ impl Ancf {
     }
 
     #[inline(always)]
-    fn to_four_nodes<L: Lanes>(&self, token: L::Token, sums: &Sums<L>) -> [L; 14] {
+    fn to_nodes<L: Lanes>(&self, token: L::Token, sums: &Sums<L>) -> [L; 14] {
         let (two_l, half) = (L::splat(token, 2.0 * self.per_length), L::splat(token, 0.5));
         let (three, three_l) = (L::splat(token, 3.0), L::splat(token, 3.0 * self.per_length));
         let four_l = L::splat(token, 4.0 * self.per_length);
@@ -179,7 +192,7 @@ impl Ancf {
     #[inline(always)]
     fn sections<L: Lanes>(&self, token: L::Token, zeta: L, shape: &Shape<L>) -> (Section<L>, [Pair<L>; 2]) {
         let (p, delta) = (at(zeta, &shape.p), at(zeta, &shape.delta));
-        let (t, n) = (Pair::splat(token, self.t.to_array()), Pair::splat(token, self.n.to_array()));
+        let (t, n) = (Pair::splat(token, self.t), Pair::splat(token, self.n));
         let kappa = shape.kappa[1].times_add(zeta, shape.kappa[0]);
         (Section { r_x: t + p, d: n + delta, kappa }, [p, delta])
     }
@@ -194,7 +207,7 @@ impl Ancf {
         eps_T: [L; 2],
     ) -> (Section<L>, Resultants<L>) {
         let (section, [p, delta]) = self.sections(token, zeta, shape);
-        let (t, n) = (Pair::splat(token, self.t.to_array()), Pair::splat(token, self.n.to_array()));
+        let (t, n) = (Pair::splat(token, self.t), Pair::splat(token, self.n));
         let half = L::splat(token, 0.5);
         let strains = Resultants {
             a_0: p.dot_add(p.times_add(half, t), -eps_T[0]),
@@ -235,49 +248,43 @@ impl Ancf {
 
     /// Elastic forces; with `COUPLED` the terms of Poisson too.
     #[inline(always)]
-    pub(super) fn forces_of_four<L: Lanes, const COUPLED: bool>(
-        &self,
-        token: L::Token,
-        u: &[L; 14],
-        eps_T: [L; 2],
-    ) -> [L; 14] {
-        let (shape, mut sums) = (self.shape_of_four(token, u), Sums::zero(token));
+    pub(super) fn forces<L: Lanes, const COUPLED: bool>(&self, token: L::Token, u: &[L; 14], eps_T: [L; 2]) -> [L; 14] {
+        let (shape, mut sums) = (self.shape(token, u), Sums::zero(token));
         for station in &self.stations {
             let zeta = L::splat(token, station.zeta);
             let (section, strains) = self.strains(token, zeta, &shape, eps_T);
-            sums.add(zeta, &section, &Ancf::section_forces::<L, COUPLED>(token, station, &strains));
+            sums.add(zeta, &section, &SideBySide::section_forces::<L, COUPLED>(token, station, &strains));
         }
-        self.to_four_nodes(token, &sums)
+        self.to_nodes(token, &sums)
     }
 
     /// Forces of an energy–momentum step.
     #[inline(always)]
-    pub(super) fn mean_forces_of_four<L: Lanes, const COUPLED: bool>(
+    pub(super) fn mean_forces<L: Lanes, const COUPLED: bool>(
         &self,
         token: L::Token,
         &FourEnds { u: [ref u_0, ref u_1], eps_T }: &FourEnds<L, 14>,
     ) -> [L; 14] {
-        let (shape_0, shape_1, mut sums) =
-            (self.shape_of_four(token, u_0), self.shape_of_four(token, u_1), Sums::zero(token));
+        let (shape_0, shape_1, mut sums) = (self.shape(token, u_0), self.shape(token, u_1), Sums::zero(token));
         let half = L::splat(token, 0.5);
         for station in &self.stations {
             let zeta = L::splat(token, station.zeta);
             let (section_0, strains_0) = self.strains(token, zeta, &shape_0, eps_T[0]);
             let (section_1, strains_1) = self.strains(token, zeta, &shape_1, eps_T[1]);
-            let forces = Ancf::section_forces::<L, COUPLED>(token, station, &strains_0.mean(&strains_1, half));
+            let forces = SideBySide::section_forces::<L, COUPLED>(token, station, &strains_0.mean(&strains_1, half));
             sums.add(zeta, &section_0.middle(&section_1, half), &forces);
         }
-        self.to_four_nodes(token, &sums)
+        self.to_nodes(token, &sums)
     }
 
     /// Strain energies.
     #[inline(always)]
-    pub(super) fn energies_of_four<L: Lanes>(&self, token: L::Token, u: &[L; 14], eps_T: [L; 2]) -> L {
-        let (shape, half) = (self.shape_of_four(token, u), L::splat(token, 0.5));
+    pub(super) fn energies<L: Lanes>(&self, token: L::Token, u: &[L; 14], eps_T: [L; 2]) -> L {
+        let (shape, half) = (self.shape(token, u), L::splat(token, 0.5));
         let mut sum = L::splat(token, 0.0);
         for station in &self.stations {
             let (_, strains) = self.strains(token, L::splat(token, station.zeta), &shape, eps_T);
-            let forces = Ancf::section_forces::<L, true>(token, station, &strains);
+            let forces = SideBySide::section_forces::<L, true>(token, station, &strains);
             sum = forces.a_0.mul_add(strains.a_0, forces.a_1.mul_add(strains.a_1, sum));
             sum = forces.a_2.mul_add(half * strains.a_2, forces.c.mul_add(strains.c, sum));
             sum = forces.g_0.mul_add(strains.g_0, forces.g_1.mul_add(strains.g_1, sum));
@@ -287,20 +294,19 @@ impl Ancf {
 
     /// Energies supplied by heating.
     #[inline(always)]
-    pub(super) fn heating_works_of_four<L: Lanes>(
+    pub(super) fn heating_works<L: Lanes>(
         &self,
         token: L::Token,
         &FourEnds { u: [ref u_0, ref u_1], eps_T }: &FourEnds<L, 14>,
     ) -> L {
-        let (shape_0, shape_1, half) =
-            (self.shape_of_four(token, u_0), self.shape_of_four(token, u_1), L::splat(token, 0.5));
+        let (shape_0, shape_1, half) = (self.shape(token, u_0), self.shape(token, u_1), L::splat(token, 0.5));
         let (along, across) = (eps_T[1][0] - eps_T[0][0], eps_T[1][1] - eps_T[0][1]);
         let mut sum = L::splat(token, 0.0);
         for station in &self.stations {
             let zeta = L::splat(token, station.zeta);
             let (_, strains_0) = self.strains(token, zeta, &shape_0, eps_T[0]);
             let (_, strains_1) = self.strains(token, zeta, &shape_1, eps_T[1]);
-            let forces = Ancf::section_forces::<L, true>(token, station, &strains_0.mean(&strains_1, half));
+            let forces = SideBySide::section_forces::<L, true>(token, station, &strains_0.mean(&strains_1, half));
             sum = forces.a_0.mul_add(along, forces.c.mul_add(across, sum));
         }
         -sum
@@ -308,8 +314,8 @@ impl Ancf {
 
     /// Smallest det J; not a number where one is.
     #[inline(always)]
-    pub(super) fn min_det_js_of_four<L: Lanes>(&self, token: L::Token, u: &[L; 14]) -> L {
-        let shape = self.shape_of_four(token, u);
+    pub(super) fn min_det_js<L: Lanes>(&self, token: L::Token, u: &[L; 14]) -> L {
+        let shape = self.shape(token, u);
         let outermost = L::splat(token, -OUTERMOST * self.half_height);
         let (mut least, mut sum) = (L::splat(token, f64::INFINITY), L::splat(token, 0.0));
         for station in &self.stations {
@@ -324,7 +330,7 @@ impl Ancf {
 
 /// Products M a. Across the section r_y is odd, so M couples positions and r_x with one another, and r_y with r_y.
 #[inline(always)]
-pub(super) fn momenta_of_four<L: Lanes>(token: L::Token, mass: &Matrix14, a: &[L; 14]) -> [L; 14] {
+pub(super) fn momenta<L: Lanes>(token: L::Token, mass: &Matrix14, a: &[L; 14]) -> [L; 14] {
     let mut sums = [L::splat(token, 0.0); 14];
     for row in [0, 4, 6, 10] {
         let [m_i, m_j, m_x, m_k] = [

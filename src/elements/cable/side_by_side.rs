@@ -13,8 +13,8 @@
 //! * Curvature: κ = r' × s/q with q = r'·r'. With M = EI κ/q, the force on s is M turn(r') and the one on p is
 //!   −M (turn(s) + 2κr').
 
-use super::{Cable, OUTERMOST};
 use crate::elements::beam::FourEnds;
+use crate::elements::collapse::OUTERMOST;
 use crate::elements::pair::{Pair, at};
 use crate::elements::polynomial::GaussPoint;
 use crate::equations::cable::Matrix8;
@@ -43,9 +43,23 @@ struct Bend<L> {
     inverse: L,
 }
 
-impl Cable {
+/// Element as it is computed side by side.
+#[derive(Clone, Debug)]
+pub(super) struct SideBySide {
+    /// Unit vector along the element.
+    pub t: [f64; 2],
+    /// 1/l
+    pub per_length: f64,
+    /// Gauss points of the axial strain, and of the curvature.
+    pub axial: [GaussPoint; 5],
+    pub bending: [GaussPoint; 3],
+    pub EA: f64,
+    pub EI: f64,
+}
+
+impl SideBySide {
     #[inline(always)]
-    fn shape_of_four<L: Lanes>(&self, token: L::Token, u: &[L; 8]) -> [Pair<L>; 3] {
+    fn shape<L: Lanes>(&self, token: L::Token, u: &[L; 8]) -> [Pair<L>; 3] {
         let (half, three_halves) = (L::splat(token, 0.5), L::splat(token, 1.5));
         let (r_i, slope_i) = (Pair { x: u[0], y: u[1] }, Pair { x: u[2], y: u[3] });
         let (r_k, slope_k) = (Pair { x: u[4], y: u[5] }, Pair { x: u[6], y: u[7] });
@@ -58,7 +72,7 @@ impl Cable {
     }
 
     #[inline(always)]
-    fn to_four_nodes<L: Lanes>(&self, token: L::Token, [p_0, p_1, p_2]: &[Pair<L>; 3]) -> [L; 8] {
+    fn to_nodes<L: Lanes>(&self, token: L::Token, [p_0, p_1, p_2]: &[Pair<L>; 3]) -> [L; 8] {
         let chord = (*p_0 - *p_2).times(L::splat(token, 1.5 * self.per_length));
         let mean = p_0.times_add(L::splat(token, -0.25), p_2.times(L::splat(token, 0.75)));
         let half = p_1.times(L::splat(token, 0.5));
@@ -67,8 +81,8 @@ impl Cable {
     }
 
     #[inline(always)]
-    fn stretch_of_four<L: Lanes>(&self, token: L::Token, point: &GaussPoint, shape: &[Pair<L>; 3]) -> Stretch<L> {
-        let (one, t) = (L::splat(token, 1.0), Pair::splat(token, self.t.to_array()));
+    fn stretch<L: Lanes>(&self, token: L::Token, point: &GaussPoint, shape: &[Pair<L>; 3]) -> Stretch<L> {
+        let (one, t) = (L::splat(token, 1.0), Pair::splat(token, self.t));
         let p = at(L::splat(token, point.zeta), shape);
         let r_x = t + p;
         let length = r_x.dot(r_x).sqrt();
@@ -79,10 +93,10 @@ impl Cable {
     }
 
     #[inline(always)]
-    fn bend_of_four<L: Lanes>(&self, token: L::Token, point: &GaussPoint, shape: &[Pair<L>; 3]) -> Bend<L> {
+    fn bend<L: Lanes>(&self, token: L::Token, point: &GaussPoint, shape: &[Pair<L>; 3]) -> Bend<L> {
         let zeta = L::splat(token, point.zeta);
         let (two_l, two_zeta) = (L::splat(token, 2.0 * self.per_length), L::splat(token, 2.0 * point.zeta));
-        let r_x = Pair::splat(token, self.t.to_array()) + at(zeta, shape);
+        let r_x = Pair::splat(token, self.t) + at(zeta, shape);
         let r_xx = shape[2].times_add(two_zeta, shape[1]).times(two_l);
         let square = r_x.dot(r_x);
         Bend { r_x, r_xx, cross: r_x.cross(r_xx), square, inverse: square.recip() }
@@ -104,20 +118,20 @@ impl Cable {
 
     /// Elastic forces.
     #[inline(always)]
-    pub(super) fn forces_of_four<L: Lanes>(&self, token: L::Token, u: &[L; 8], eps_T: L) -> [L; 8] {
-        let (shape, mut sums) = (self.shape_of_four(token, u), [Pair::zero(token); 3]);
+    pub(super) fn forces<L: Lanes>(&self, token: L::Token, u: &[L; 8], eps_T: L) -> [L; 8] {
+        let (shape, mut sums) = (self.shape(token, u), [Pair::zero(token); 3]);
         for point in &self.axial {
-            let Stretch { r_x, inverse, strain, .. } = self.stretch_of_four(token, point, &shape);
+            let Stretch { r_x, inverse, strain, .. } = self.stretch(token, point, &shape);
             let force = r_x.times(L::splat(token, point.weight * self.EA) * (strain - eps_T) * inverse);
-            Cable::add_on_p(L::splat(token, point.zeta), force, &mut sums);
+            SideBySide::add_on_p(L::splat(token, point.zeta), force, &mut sums);
         }
         for point in &self.bending {
-            let Bend { r_x, r_xx, cross, inverse, .. } = self.bend_of_four(token, point, &shape);
+            let Bend { r_x, r_xx, cross, inverse, .. } = self.bend(token, point, &shape);
             let kappa = cross * inverse;
             let moment = L::splat(token, point.weight * self.EI) * kappa * inverse;
             self.add_moment(token, L::splat(token, point.zeta), (r_x, r_xx, kappa + kappa), moment, &mut sums);
         }
-        self.to_four_nodes(token, &sums)
+        self.to_nodes(token, &sums)
     }
 
     /// Adds M times the derivative of r_x × r_xx − κ r_x·r_x, with `twice_kappa` held.
@@ -131,30 +145,30 @@ impl Cable {
         sums: &mut [Pair<L>; 3],
     ) {
         let on_p = r_x.times_add(twice_kappa, r_xx.turn()).times(-moment);
-        Cable::add_on_p(zeta, on_p, sums);
+        SideBySide::add_on_p(zeta, on_p, sums);
         self.add_on_s(token, zeta, r_x.turn().times(moment), sums);
     }
 
     /// Forces of an energy–momentum step, from the discrete derivatives of `step.rs`.
     #[inline(always)]
-    pub(super) fn mean_forces_of_four<L: Lanes>(
+    pub(super) fn mean_forces<L: Lanes>(
         &self,
         token: L::Token,
         &FourEnds { u: [ref u_0, ref u_1], eps_T: [[eps_T0, _], [eps_T1, _]] }: &FourEnds<L, 8>,
     ) -> [L; 8] {
-        let (shape_0, shape_1) = (self.shape_of_four(token, u_0), self.shape_of_four(token, u_1));
+        let (shape_0, shape_1) = (self.shape(token, u_0), self.shape(token, u_1));
         let (mut sums, half, heat) = ([Pair::zero(token); 3], L::splat(token, 0.5), eps_T0 + eps_T1);
         for point in &self.axial {
-            let start = self.stretch_of_four(token, point, &shape_0);
-            let end = self.stretch_of_four(token, point, &shape_1);
+            let start = self.stretch(token, point, &shape_0);
+            let end = self.stretch(token, point, &shape_1);
             let per_length = (start.length + end.length).recip();
             let stiffness = L::splat(token, 0.5 * point.weight * self.EA);
             let force = stiffness * (start.strain + end.strain - heat) * per_length;
-            Cable::add_on_p(L::splat(token, point.zeta), (start.r_x + end.r_x).times(force), &mut sums);
+            SideBySide::add_on_p(L::splat(token, point.zeta), (start.r_x + end.r_x).times(force), &mut sums);
         }
         for point in &self.bending {
-            let start = self.bend_of_four(token, point, &shape_0);
-            let end = self.bend_of_four(token, point, &shape_1);
+            let start = self.bend(token, point, &shape_0);
+            let end = self.bend(token, point, &shape_1);
             let (r_x, r_xx) = ((start.r_x + end.r_x).times(half), (start.r_xx + end.r_xx).times(half));
             let (square, cross) = (half * (start.square + end.square), half * (start.cross + end.cross));
             let curvatures = start.cross.mul_add(start.inverse, end.cross * end.inverse);
@@ -163,22 +177,22 @@ impl Cable {
             let moment = stiffness * curvatures * (start.inverse * end.inverse);
             let zeta = L::splat(token, point.zeta);
             let on_p = r_x.times_add(cross + cross, r_xx.turn().times(square)).times(-moment);
-            Cable::add_on_p(zeta, on_p, &mut sums);
+            SideBySide::add_on_p(zeta, on_p, &mut sums);
             self.add_on_s(token, zeta, r_x.turn().times(square * moment), &mut sums);
         }
-        self.to_four_nodes(token, &sums)
+        self.to_nodes(token, &sums)
     }
 
     /// Strain energies.
     #[inline(always)]
-    pub(super) fn energies_of_four<L: Lanes>(&self, token: L::Token, u: &[L; 8], eps_T: L) -> L {
-        let (shape, mut sum) = (self.shape_of_four(token, u), L::splat(token, 0.0));
+    pub(super) fn energies<L: Lanes>(&self, token: L::Token, u: &[L; 8], eps_T: L) -> L {
+        let (shape, mut sum) = (self.shape(token, u), L::splat(token, 0.0));
         for point in &self.axial {
-            let strain = self.stretch_of_four(token, point, &shape).strain - eps_T;
+            let strain = self.stretch(token, point, &shape).strain - eps_T;
             sum = (L::splat(token, 0.5 * point.weight * self.EA) * strain).mul_add(strain, sum);
         }
         for point in &self.bending {
-            let Bend { cross, inverse, .. } = self.bend_of_four(token, point, &shape);
+            let Bend { cross, inverse, .. } = self.bend(token, point, &shape);
             let kappa = cross * inverse;
             sum = (L::splat(token, 0.5 * point.weight * self.EI) * kappa).mul_add(kappa, sum);
         }
@@ -187,16 +201,15 @@ impl Cable {
 
     /// Energies supplied by heating.
     #[inline(always)]
-    pub(super) fn heating_works_of_four<L: Lanes>(
+    pub(super) fn heating_works<L: Lanes>(
         &self,
         token: L::Token,
         &FourEnds { u: [ref u_0, ref u_1], eps_T: [[eps_T0, _], [eps_T1, _]] }: &FourEnds<L, 8>,
     ) -> L {
-        let (shape_0, shape_1, mut sum) =
-            (self.shape_of_four(token, u_0), self.shape_of_four(token, u_1), L::splat(token, 0.0));
+        let (shape_0, shape_1, mut sum) = (self.shape(token, u_0), self.shape(token, u_1), L::splat(token, 0.0));
         for point in &self.axial {
-            let start = self.stretch_of_four(token, point, &shape_0).strain - eps_T0;
-            let end = self.stretch_of_four(token, point, &shape_1).strain - eps_T1;
+            let start = self.stretch(token, point, &shape_0).strain - eps_T0;
+            let end = self.stretch(token, point, &shape_1).strain - eps_T1;
             sum = L::splat(token, -0.5 * point.weight * self.EA).mul_add(start + end, sum);
         }
         sum * (eps_T1 - eps_T0)
@@ -204,13 +217,13 @@ impl Cable {
 
     /// Smallest det J; not a number where one is.
     #[inline(always)]
-    pub(super) fn min_det_js_of_four<L: Lanes>(&self, token: L::Token, [before, u]: [&[L; 8]; 2]) -> L {
-        let (before, shape) = (self.shape_of_four(token, before), self.shape_of_four(token, u));
+    pub(super) fn min_det_js<L: Lanes>(&self, token: L::Token, [before, u]: [&[L; 8]; 2]) -> L {
+        let (before, shape) = (self.shape(token, before), self.shape(token, u));
         let outermost = L::splat(token, -OUTERMOST * (3.0 * self.EI / self.EA).sqrt());
-        let t = Pair::splat(token, self.t.to_array());
+        let t = Pair::splat(token, self.t);
         let (mut least, mut sum) = (L::splat(token, f64::INFINITY), L::splat(token, 0.0));
         for point in &self.bending {
-            let Bend { cross, square, inverse, .. } = self.bend_of_four(token, point, &shape);
+            let Bend { cross, square, inverse, .. } = self.bend(token, point, &shape);
             let fibre = outermost.mul_add((cross * inverse).abs(), square.sqrt());
             (least, sum) = (fibre.min(least), sum + fibre);
         }
@@ -226,7 +239,7 @@ impl Cable {
 
 /// Products M a.
 #[inline(always)]
-pub(super) fn momenta_of_four<L: Lanes>(token: L::Token, mass: &Matrix8, a: &[L; 8]) -> [L; 8] {
+pub(super) fn momenta<L: Lanes>(token: L::Token, mass: &Matrix8, a: &[L; 8]) -> [L; 8] {
     let mut sums = [L::splat(token, 0.0); 8];
     for row in [0, 2, 4, 6] {
         let [m_0, m_1, m_2, m_3] = [
