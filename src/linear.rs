@@ -41,10 +41,10 @@ pub fn flush_negligible<F: Number>(b: &mut DVector<F>) {
     if b.len() < LONG_VECTOR {
         return;
     }
-    // Four independent maxima at a time: a single one would make every comparison wait for the one before.
-    let (mut largest, mut least) = ([0.0; 4], [f64::INFINITY; 4]);
-    let (chunks, last) = b.as_slice().as_chunks::<4>();
-    for values in chunks.iter().map(<[F; 4]>::as_slice).chain([last]) {
+    // Eight independent maxima at a time: a single one would make every comparison wait for the one before.
+    let (mut largest, mut least) = ([0.0; 8], [f64::INFINITY; 8]);
+    let (chunks, last) = b.as_slice().as_chunks::<8>();
+    for values in chunks.iter().map(<[F; 8]>::as_slice).chain([last]) {
         for ((x, largest), least) in values.iter().zip(&mut largest).zip(&mut least) {
             let size = x.norm1();
             *largest = if size > *largest { size } else { *largest };

@@ -193,9 +193,19 @@ impl Structure {
     /// Elastic forces at the rods' thermal strains, into `sum`.
     pub fn force(&self, u: &DVector<f64>, thermal: &[ThermalStrain], sum: &mut DVector<f64>) {
         sum.as_mut_slice().fill(0.0);
+        self.add_force(u, thermal, 1.0, sum);
+    }
+
+    /// Adds `factor` times the elastic forces at the rods' thermal strains to `sum`.
+    pub fn add_force(&self, u: &DVector<f64>, thermal: &[ThermalStrain], factor: f64, sum: &mut DVector<f64>) {
         for (rod, eps_t) in self.rods.iter().zip(thermal) {
-            rod.mesh.add_force(u, *eps_t, sum);
+            rod.mesh.add_force(u, *eps_t, factor, sum);
         }
+    }
+
+    /// Instructions of the processor that the structure is computed with.
+    pub fn path(&self) -> Path {
+        self.path
     }
 
     /// Step-averaged elastic forces of the energy–momentum rule, into `sum`.

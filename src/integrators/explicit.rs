@@ -9,6 +9,7 @@ use super::equation_of_motion::check_step;
 use super::integrator::{Integrator, check_end};
 use super::state::State;
 use crate::error::{Error, Result};
+use crate::lanes::{Lanes, Task};
 use crate::structure::Structure;
 
 /// Velocity Verlet method with a fixed step and the last acceleration.
@@ -37,13 +38,11 @@ impl Integrator for Explicit {
         let dt = self.step;
         check_end(state.t, dt, t_1)?;
         let (u, v) = (state.u.as_mut_slice(), state.v.as_mut_slice());
-        for ((u, v), a) in u.iter_mut().zip(v).zip(self.motion.a.as_slice()) {
-            *v += 0.5 * dt * a;
-            *u += dt * *v;
-        }
+        structure.path().run(KickAndDrift { dt, a: self.motion.a.as_slice(), v, u });
         self.motion.accelerate(structure, &state.u, t_1, counts);
+        let sum = structure.path().run(Kick { dt, a: self.motion.a.as_slice(), v: state.v.as_mut_slice() });
         // A sum drops no NaN.
-        if !kick(0.5 * dt, self.motion.a.as_slice(), state.v.as_mut_slice()).is_finite() {
+        if !sum.is_finite() {
             return Err(Error::NotFinite { quantity: "the acceleration", time: t_1, step: state.step + 1 });
         }
         state.advance(t_1);
@@ -52,20 +51,59 @@ impl Integrator for Explicit {
     }
 }
 
-/// Adds `dt` · a to the velocity; returns the sum of all accelerations.
-fn kick(dt: f64, a: &[f64], v: &mut [f64]) -> f64 {
-    // Four sums at a time: in a single one every addition would wait for the one before.
-    let mut sums = [0.0; 4];
-    let ((a, last_a), (v, last_v)) = (a.as_chunks::<4>(), v.as_chunks_mut::<4>());
-    for (a, v) in a.iter().zip(v) {
-        for n in 0..4 {
-            v[n] += dt * a[n];
-            sums[n] += a[n];
+/// First half of a step: v and then u.
+struct KickAndDrift<'a> {
+    dt: f64,
+    a: &'a [f64],
+    v: &'a mut [f64],
+    u: &'a mut [f64],
+}
+
+impl Task for KickAndDrift<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, token: L::Token) {
+        let KickAndDrift { dt, a, v, u } = self;
+        let (half, whole) = (L::splat(token, 0.5 * dt), L::splat(token, dt));
+        let ((a, last_a), (v, last_v), (u, last_u)) = (a.as_chunks(), v.as_chunks_mut(), u.as_chunks_mut());
+        for ((a, v), u) in a.iter().zip(v).zip(u) {
+            let kicked = L::load(token, a).mul_add(half, L::load(token, v));
+            *v = kicked.to_array();
+            *u = kicked.mul_add(whole, L::load(token, u)).to_array();
+        }
+        for ((a, v), u) in last_a.iter().zip(last_v).zip(last_u) {
+            *v += 0.5 * dt * a;
+            *u += dt * *v;
         }
     }
-    for (a, v) in last_a.iter().zip(last_v) {
-        *v += dt * a;
-        sums[0] += a;
+}
+
+/// Second half of a step, v; the sum of all accelerations.
+struct Kick<'a> {
+    dt: f64,
+    a: &'a [f64],
+    v: &'a mut [f64],
+}
+
+impl Task for Kick<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self, token: L::Token) -> f64 {
+        let (half, mut sums) = (L::splat(token, 0.5 * self.dt), L::splat(token, 0.0));
+        let ((a, last_a), (v, last_v)) = (self.a.as_chunks(), self.v.as_chunks_mut());
+        for (a, v) in a.iter().zip(v) {
+            let a = L::load(token, a);
+            *v = a.mul_add(half, L::load(token, v)).to_array();
+            sums = sums + a;
+        }
+        let [a, b, c, d] = sums.to_array();
+        let mut sum = a + b + c + d;
+        for (a, v) in last_a.iter().zip(last_v) {
+            *v += 0.5 * self.dt * a;
+            sum += a;
+        }
+        sum
     }
-    sums.iter().sum()
 }

@@ -18,6 +18,9 @@
 //! Most rows stand in memory like this. Not so at ends and pivots, where unknowns are held, shared or turned: there each load of
 //! four is told where its numbers are, and vectors with axes of their own are turned in the registers.
 
+mod quad;
+
+use self::quad::{Apart, Quad, Turn, follow};
 use super::node_dofs::NodeDofs;
 use crate::lanes::{LANES, Lanes, for_lanes, load, store};
 use crate::linear::NO_UNKNOWN;
@@ -42,34 +45,11 @@ enum Place {
     Apart(Apart),
 }
 
-/// Coordinates of a row whose unknowns do not follow one another.
-#[derive(Clone, Debug)]
-struct Apart {
-    /// Places of four coordinates each, block by block, and in a block one for each lane.
-    quads: Vec<[Quad; LANES]>,
-    /// Rotations of the nodal vectors from their own axes to the global ones; empty where there is none.
-    turns: Vec<Turn>,
-}
-
-/// Unknowns of four coordinates in a row.
-#[derive(Clone, Copy, Debug)]
-enum Quad {
-    /// From here on.
-    Together(usize),
-    /// Each by itself; [`NO_UNKNOWN`] where held.
-    Apart([u32; LANES]),
-}
-
-/// Cosine and sine of the angle by which a nodal vector's axes are turned, of each element.
-#[derive(Clone, Debug)]
-struct Turn {
-    cos: [f64; LANES],
-    sin: [f64; LANES],
-}
-
 impl<const N: usize> Row<N> {
     /// Coordinates from an element to the next.
     const STRIDE: usize = N - SHARED;
+    /// Block of node k's coordinates.
+    const LAST: usize = N.div_ceil(LANES) - 1;
 
     /// Rows of a rod with this chain of nodal vectors.
     pub fn of(chain: &[NodeDofs]) -> Vec<Row<N>> {
@@ -91,9 +71,10 @@ impl<const N: usize> Row<N> {
         }
         let first = |lane: usize| lane.min(count - 1) * Self::STRIDE;
         let lanes = [0, 1, 2, 3];
-        let quads = (0..N).step_by(LANES).map(|block| {
+        let blocks = (0..N).step_by(LANES).map(|block| block.min(N - LANES));
+        let quads = blocks.chain((N == 14).then_some(BESIDE)).map(|block| {
             lanes.map(|lane| {
-                let own = &unknowns[first(lane) + block.min(N - LANES)..][..LANES];
+                let own = &unknowns[first(lane) + block..][..LANES];
                 if follow(own) {
                     Quad::Together(own[0] as usize)
                 } else {
@@ -157,7 +138,7 @@ impl<const N: usize> Row<N> {
     pub fn node<L: Lanes>(&self, token: L::Token, node: usize, u: &[f64]) -> L {
         match &self.place {
             Place::Together(first) => load(token, u, first + node * Self::STRIDE),
-            Place::Apart(apart) => apart.node(node, self.count).load(token, u),
+            Place::Apart(apart) => apart.node(node, self.count, Self::LAST).load(token, u),
         }
     }
 
@@ -166,13 +147,14 @@ impl<const N: usize> Row<N> {
     pub fn set_node<L: Lanes>(&self, node: usize, row: L, u: &mut [f64]) {
         match &self.place {
             Place::Together(first) => store(row, u, first + node * Self::STRIDE),
-            Place::Apart(apart) => apart.node(node, self.count).set(row, u),
+            Place::Apart(apart) => apart.node(node, self.count, Self::LAST).set(row, u),
         }
     }
 
-    /// Adds the elements' forces to a vector of unknowns.
+    /// Adds `factor` times the elements' forces to a vector of unknowns.
     #[inline(always)]
-    pub fn add<L: Lanes>(&self, token: L::Token, mut forces: [L; N], sum: &mut [f64]) {
+    pub fn add<L: Lanes>(&self, token: L::Token, mut forces: [L; N], factor: f64, sum: &mut [f64]) {
+        let factor = L::splat(token, factor);
         if let Place::Apart(Apart { turns, .. }) = &self.place
             && turns.len() == N / 2
         {
@@ -199,56 +181,97 @@ impl<const N: usize> Row<N> {
         match &self.place {
             Place::Together(first) => {
                 let sum = &mut sum[*first..first + self.count * k + SHARED];
-                self.add_rows(token, &node, 0, sum);
+                self.add_rows(token, &node, 0, factor, sum);
                 let mut at = SHARED;
                 while at + LANES <= k {
                     let block = L::transpose([forces[at], forces[at + 1], forces[at + 2], forces[at + 3]]);
-                    self.add_rows(token, &block, at, sum);
+                    self.add_rows(token, &block, at, factor, sum);
                     at += LANES;
                 }
                 // One nodal vector is left of the paper's element.
                 if at < k {
-                    let (x, y) = (forces[at].to_array(), forces[at + 1].to_array());
+                    let (x, y) = ((forces[at] * factor).to_array(), (forces[at + 1] * factor).to_array());
                     for_lanes!(lane < self.count, {
                         sum[lane * k + at] += x[lane];
                         sum[lane * k + at + 1] += y[lane];
                     });
                 }
-                store(load::<L>(token, sum, self.count * k) + last, sum, self.count * k);
+                store(last.mul_add(factor, load(token, sum, self.count * k)), sum, self.count * k);
             }
             Place::Apart(Apart { quads, .. }) => {
-                self.add_quads(token, &node, &quads[0], sum);
+                self.add_quads(token, &node, &quads[0], factor, sum);
                 let mut at = SHARED;
                 while at + LANES <= k {
                     let block = L::transpose([forces[at], forces[at + 1], forces[at + 2], forces[at + 3]]);
-                    self.add_quads(token, &block, &quads[at / LANES], sum);
+                    self.add_quads(token, &block, &quads[at / LANES], factor, sum);
                     at += LANES;
                 }
                 if at < k {
-                    let (x, y) = (forces[at].to_array(), forces[at + 1].to_array());
+                    let (x, y) = ((forces[at] * factor).to_array(), (forces[at + 1] * factor).to_array());
                     let quads = &quads[at / LANES];
                     for_lanes!(lane < self.count, { quads[lane].add_pair([x[lane], y[lane]], sum) });
                 }
-                quads[N.div_ceil(LANES) - 1][self.count - 1].add(token, last, sum);
+                quads[Self::LAST][self.count - 1].add(token, last, factor, sum);
             }
         }
     }
 
     #[inline(always)]
-    fn add_rows<L: Lanes>(&self, token: L::Token, rows: &[L; LANES], at: usize, sum: &mut [f64]) {
+    fn add_rows<L: Lanes>(&self, token: L::Token, rows: &[L; LANES], at: usize, factor: L, sum: &mut [f64]) {
         for_lanes!(lane < self.count, {
             let at = lane * Self::STRIDE + at;
-            store(load::<L>(token, sum, at) + rows[lane], sum, at);
+            store(rows[lane].mul_add(factor, load(token, sum, at)), sum, at);
         });
     }
 
     #[inline(always)]
-    fn add_quads<L: Lanes>(&self, token: L::Token, rows: &[L; LANES], quads: &[Quad; LANES], sum: &mut [f64]) {
-        for_lanes!(lane < self.count, { quads[lane].add(token, rows[lane], sum) });
+    fn add_quads<L: Lanes>(
+        &self,
+        token: L::Token,
+        rows: &[L; LANES],
+        quads: &[Quad; LANES],
+        factor: L,
+        sum: &mut [f64],
+    ) {
+        for_lanes!(lane < self.count, { quads[lane].add(token, rows[lane], factor, sum) });
     }
 }
 
+/// First coordinate of the paper's element that a second load of its interior node begins with: r_x, then r_y.
+const BESIDE: usize = 6;
+
 impl Row<14> {
+    /// Coordinates of the elements' interior nodes, in their own axes; 0 where held. Nothing of the other nodes is read: a load that
+    /// meets a number just written waits for it.
+    #[inline(always)]
+    pub fn interior<L: Lanes>(&self, token: L::Token, u: &[f64]) -> [L; 6] {
+        let (first, second) = match &self.place {
+            Place::Together(first) => {
+                let u = &u[*first..first + self.count * Self::STRIDE + SHARED];
+                let [b, c, d] = [
+                    1.min(self.count - 1) * Self::STRIDE,
+                    2.min(self.count - 1) * Self::STRIDE,
+                    (self.count - 1) * Self::STRIDE,
+                ];
+                let rows = |at: usize| [at, b + at, c + at, d + at];
+                let ([a, b, c, d], [p, q, r, s]) = (rows(SHARED), rows(BESIDE));
+                (
+                    [load::<L>(token, u, a), load(token, u, b), load(token, u, c), load(token, u, d)],
+                    [load::<L>(token, u, p), load(token, u, q), load(token, u, r), load(token, u, s)],
+                )
+            }
+            Place::Apart(Apart { quads, .. }) => {
+                let ([a, b, c, d], [p, q, r, s]) = (&quads[1], &quads[4]);
+                (
+                    [a.load(token, u), b.load(token, u), c.load(token, u), d.load(token, u)],
+                    [p.load(token, u), q.load(token, u), r.load(token, u), s.load(token, u)],
+                )
+            }
+        };
+        let ([j_x, j_y, x_x, x_y], [_, _, d_x, d_y]) = (L::transpose(first), L::transpose(second));
+        [j_x, j_y, x_x, x_y, d_x, d_y]
+    }
+
     /// Writes the coordinates of the elements' interior nodes, in their own axes.
     #[inline(always)]
     pub fn set_interior<L: Lanes>(&self, columns: [L; 6], u: &mut [f64]) {
@@ -269,100 +292,6 @@ impl Row<14> {
                 quads[2][lane].set_pair([x[lane], y[lane]], u);
             }),
         }
-    }
-}
-
-impl Apart {
-    /// Place of node `node` of a row of `count` elements.
-    #[inline(always)]
-    fn node(&self, node: usize, count: usize) -> &Quad {
-        if node < count { &self.quads[0][node] } else { &self.quads[self.quads.len() - 1][count - 1] }
-    }
-}
-
-/// Whether unknowns follow one another.
-fn follow(unknowns: &[u32]) -> bool {
-    unknowns.windows(2).all(|pair| pair[0] != NO_UNKNOWN && pair[0] + 1 == pair[1])
-        && unknowns.last() != Some(&NO_UNKNOWN)
-}
-
-impl Quad {
-    #[inline(always)]
-    fn load<L: Lanes>(&self, token: L::Token, u: &[f64]) -> L {
-        match self {
-            Quad::Together(first) => load(token, u, *first),
-            Quad::Apart([a, b, c, d]) => L::load(token, &[value(u, *a), value(u, *b), value(u, *c), value(u, *d)]),
-        }
-    }
-
-    #[inline(always)]
-    fn add<L: Lanes>(&self, token: L::Token, row: L, sum: &mut [f64]) {
-        match self {
-            Quad::Together(first) => store(load::<L>(token, sum, *first) + row, sum, *first),
-            Quad::Apart(unknowns) => {
-                for (unknown, force) in unknowns.iter().zip(row.to_array()) {
-                    if let Some(sum) = sum.get_mut(*unknown as usize) {
-                        *sum += force;
-                    }
-                }
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn set<L: Lanes>(&self, row: L, u: &mut [f64]) {
-        match self {
-            Quad::Together(first) => store(row, u, *first),
-            Quad::Apart(unknowns) => {
-                for (unknown, value) in unknowns.iter().zip(row.to_array()) {
-                    if let Some(u) = u.get_mut(*unknown as usize) {
-                        *u = value;
-                    }
-                }
-            }
-        }
-    }
-
-    /// Unknowns of the first two coordinates.
-    #[inline(always)]
-    fn pair(&self) -> [usize; 2] {
-        match self {
-            Quad::Together(first) => [*first, first + 1],
-            Quad::Apart([a, b, ..]) => [*a as usize, *b as usize],
-        }
-    }
-
-    /// Adds forces on the first two coordinates.
-    #[inline(always)]
-    fn add_pair(&self, forces: [f64; 2], sum: &mut [f64]) {
-        for (unknown, force) in self.pair().into_iter().zip(forces) {
-            if let Some(sum) = sum.get_mut(unknown) {
-                *sum += force;
-            }
-        }
-    }
-
-    /// Writes the first two coordinates.
-    #[inline(always)]
-    fn set_pair(&self, values: [f64; 2], u: &mut [f64]) {
-        for (unknown, value) in self.pair().into_iter().zip(values) {
-            if let Some(u) = u.get_mut(unknown) {
-                *u = value;
-            }
-        }
-    }
-}
-
-/// Value of an unknown; 0 where there is none.
-#[inline(always)]
-fn value(u: &[f64], unknown: u32) -> f64 {
-    u.get(unknown as usize).copied().unwrap_or(0.0)
-}
-
-impl Turn {
-    #[inline(always)]
-    fn load<L: Lanes>(&self, token: L::Token) -> [L; 2] {
-        [L::load(token, &self.cos), L::load(token, &self.sin)]
     }
 }
 

@@ -39,11 +39,12 @@ fn total<L: Lanes>(values: L, count: usize) -> f64 {
     sum
 }
 
-/// Elastic forces, added to `sum`.
+/// Elastic forces, `factor` times, added to `sum`.
 pub(super) struct Forces<'a, B, const N: usize> {
     pub sweep: Sweep<'a, B, N>,
     pub u: &'a [f64],
     pub eps_T: ThermalStrain,
+    pub factor: f64,
     pub sum: &'a mut [f64],
 }
 
@@ -55,7 +56,7 @@ impl<B: Beam<N>, const N: usize> Task for Forces<'_, B, N> {
         let eps_T = splat(token, self.eps_T);
         for row in self.sweep.rows {
             let u = row.coordinates::<L>(token, self.u);
-            row.add(token, self.sweep.beam.forces(token, &u, eps_T), self.sum);
+            row.add(token, self.sweep.beam.forces(token, &u, eps_T), self.factor, self.sum);
         }
     }
 }
@@ -74,7 +75,7 @@ impl<B: Beam<N>, const N: usize> Task for MeanForces<'_, B, N> {
     fn run<L: Lanes>(self, token: L::Token) {
         for row in self.sweep.rows {
             let ends = four_ends::<L, N>(token, row, &self.ends);
-            row.add(token, self.sweep.beam.mean_forces(token, &ends), self.sum);
+            row.add(token, self.sweep.beam.mean_forces(token, &ends), 1.0, self.sum);
         }
     }
 }
@@ -94,7 +95,7 @@ impl<B: Beam<N>, const N: usize> Task for Momenta<'_, B, N> {
     fn run<L: Lanes>(self, token: L::Token) {
         for row in self.sweep.rows {
             let a = row.coordinates::<L>(token, self.a);
-            row.add(token, B::momenta(token, self.mass, &a), self.sum);
+            row.add(token, B::momenta(token, self.mass, &a), 1.0, self.sum);
         }
     }
 }

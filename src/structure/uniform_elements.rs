@@ -155,11 +155,11 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
         }
     }
 
-    fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, sum: &mut DVector<f64>) {
+    fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, factor: f64, sum: &mut DVector<f64>) {
         let sweep = self.sweep();
-        self.path.run(Forces { sweep, u: u.as_slice(), eps_T: eps_t, sum: sum.as_mut_slice() });
+        self.path.run(Forces { sweep, u: u.as_slice(), eps_T: eps_t, factor, sum: sum.as_mut_slice() });
         for (place, deviation) in self.places.iter().zip(&self.deviations) {
-            place.scatter(deviation.force(&place.gather(u)), sum);
+            place.scatter(factor * deviation.force(&place.gather(u)), sum);
         }
     }
 

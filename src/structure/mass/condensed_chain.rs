@@ -171,13 +171,6 @@ impl Task for Solve<'_> {
     }
 }
 
-/// Columns (r_j, r_x, d_j) of a row's elements, x and y each.
-#[inline(always)]
-fn interior<L: Lanes>(token: L::Token, row: &Row<14>, b: &[f64]) -> [L; 6] {
-    let columns = row.coordinates::<L>(token, b);
-    [columns[4], columns[5], columns[6], columns[7], columns[8], columns[9]]
-}
-
 /// Forward elimination; y of every node but the last into its place, that of the last one returned.
 #[inline(always)]
 fn forward<L: Lanes>(token: L::Token, chain: &CondensedChain, b: &mut [f64]) -> L {
@@ -186,7 +179,7 @@ fn forward<L: Lanes>(token: L::Token, chain: &CondensedChain, b: &mut [f64]) -> 
     let (mut y, mut next, mut left) = (zero, zero, zero);
     let (mut number, mut last) = (0, zero);
     for (row, own) in chain.rows.iter().zip(&chain.interiors) {
-        let [j_x, j_y, x_x, x_y, d_x, d_y] = interior::<L>(token, row, b);
+        let [j_x, j_y, x_x, x_y, d_x, d_y] = row.interior::<L>(token, b);
         let [of_j, of_x] = [&own.position[0], &own.position[1]];
         let (ji, xi) = (L::load(token, &of_j[0]), L::load(token, &of_x[0]));
         let (jk, xk) = (L::load(token, &of_j[1]), L::load(token, &of_x[1]));
@@ -247,7 +240,7 @@ fn backward<L: Lanes>(token: L::Token, chain: &CondensedChain, y: L, b: &mut [f6
         // Node k of an element is node i of the next one; lanes without an element hold the last node.
         let i = L::transpose(nodes);
         let k = L::transpose([nodes[1], nodes[2], nodes[3], after]);
-        let [j_x, j_y, x_x, x_y, d_x, d_y] = interior::<L>(token, row, b);
+        let [j_x, j_y, x_x, x_y, d_x, d_y] = row.interior::<L>(token, b);
         let [of_j, of_x] = [&own.position[0], &own.position[1]];
         let (ji, xi) = (L::load(token, &of_j[0]), L::load(token, &of_x[0]));
         let (jk, xk) = (L::load(token, &of_j[1]), L::load(token, &of_x[1]));

@@ -10,7 +10,7 @@ use crate::structure::element_dofs::ElementDofs;
 /// A rod's chain of nodal vectors: which are free, held in one or both directions, turned or shared.
 fn chain(vectors: usize, kinds: &[u8]) -> (Vec<NodeDofs>, usize) {
     let (mut next, mut shared) = (3, 1000);
-    let mut number = |from: &mut usize| {
+    let number = |from: &mut usize| {
         *from += 1;
         Some(*from - 1)
     };
@@ -27,7 +27,7 @@ fn chain(vectors: usize, kinds: &[u8]) -> (Vec<NodeDofs>, usize) {
     ((0..vectors).map(of).collect(), 1000 + 2 * vectors)
 }
 
-/// Coordinates of every element, and a vector to which each element's coordinates have been added, squared.
+/// Coordinates of every element, and a vector to which each element's coordinates have been added, squared and negative.
 struct Round<'a, const N: usize> {
     rows: &'a [Row<N>],
     u: &'a [f64],
@@ -48,7 +48,7 @@ impl<const N: usize> Task for Round<'_, N> {
             for column in &mut columns {
                 *column = *column * *column;
             }
-            row.add(token, columns, self.sum);
+            row.add(token, columns, -1.0, self.sum);
         }
         each
     }
@@ -60,7 +60,7 @@ fn check<const N: usize>(elements: usize, kinds: &[u8], values: &[f64]) {
     let places: Vec<ElementDofs<N>> = chain.windows(N / 2).step_by(N / 2 - 2).map(ElementDofs::of).collect();
     let rows = Row::<N>::of(&chain);
     let mut expected = DVector::zeros(size);
-    places.iter().for_each(|place| place.scatter(place.gather(&u).map(|x| x * x), &mut expected));
+    places.iter().for_each(|place| place.scatter(place.gather(&u).map(|x| -x * x), &mut expected));
     for path in [Path::PORTABLE, Path::fastest()] {
         let mut sum = DVector::zeros(size);
         let each = path.run(Round { rows: &rows, u: u.as_slice(), sum: sum.as_mut_slice() });
