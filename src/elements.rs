@@ -3,6 +3,9 @@
 //!
 //! A structure uses all of them through [`Beam`]. They take displacements u = e − e₀ and thermal strains in the rod's own axes.
 //! [`Ancf`] and [`Cable`] never subtract 1 from a number near 1, so small strains keep their digits.
+//!
+//! Each is written twice: for one element, and for four side by side (`side_by_side.rs`, [`lanes`](crate::lanes)), which a structure uses
+//! for what every step needs. The tests hold the latter to the former.
 
 mod ancf;
 mod beam;

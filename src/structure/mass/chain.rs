@@ -16,6 +16,15 @@ pub(super) fn inverse(pivot: f64, vector: usize) -> Result<f64, SingularAt> {
     if pivot > 0.0 && pivot.is_finite() { Ok(1.0 / pivot) } else { Err(SingularAt(vector)) }
 }
 
+/// Inverse of a symmetric matrix \[a b; b d\] of the vectors `vector` and the next: its own a, b and d. By pivots, so that no product
+/// of two masses leaves the range of numbers.
+pub(super) fn inverse_of_two([a, b, d]: [f64; 3], vector: usize) -> Result<[f64; 3], SingularAt> {
+    let own_a = inverse(a, vector)?;
+    let multiplier = b * own_a;
+    let own_d = inverse(d - multiplier * b, vector + 1)?;
+    Ok([own_a + multiplier * multiplier * own_d, -multiplier * own_d, own_d])
+}
+
 /// Whether a vector of the chain is free.
 pub(super) fn is_free(vector: &NodeDofs) -> bool {
     vector.unknowns[0].is_some()

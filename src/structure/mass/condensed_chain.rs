@@ -22,7 +22,7 @@
 //!
 //! A vector that is not free, being held or shared, takes no part: its entries of A⁻¹, G and T⁻¹ are 0, and it is not written.
 
-use super::chain::{MassChain, inverse, is_free};
+use super::chain::{MassChain, inverse, inverse_of_two, is_free};
 use crate::lanes::{LANES, Lanes, Path, Task, for_lanes};
 use crate::linear::SingularAt;
 use crate::structure::node_dofs::NodeDofs;
@@ -101,13 +101,10 @@ impl CondensedChain {
             let [on_j, on_x, on_d] = [2, 3, 4].map(|n| is_free(&free[first + n]));
             // A⁻¹ of (r_j, r_x), over those that are free.
             let (jj, jx, xx) = (entry(2, 2), entry(2, 3), entry(3, 3));
-            let [own_j, own_x, beside] = match (on_j, on_x) {
-                (true, true) => {
-                    let det = inverse(jj * xx - jx * jx, first + 2)?;
-                    [xx * det, jj * det, -jx * det]
-                }
+            let [own_j, beside, own_x] = match (on_j, on_x) {
+                (true, true) => inverse_of_two([jj, jx, xx], first + 2)?,
                 (true, false) => [inverse(jj, first + 2)?, 0.0, 0.0],
-                (false, true) => [0.0, inverse(xx, first + 3)?, 0.0],
+                (false, true) => [0.0, 0.0, inverse(xx, first + 3)?],
                 (false, false) => [0.0; 3],
             };
             let own_d = if on_d { inverse(entry(4, 4), first + 4)? } else { 0.0 };

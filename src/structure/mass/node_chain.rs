@@ -11,7 +11,7 @@
 //! M = L T Lᵀ with W = S T⁻¹ below the diagonal: y = f − W y(before), then a = T⁻¹ y − Wᵀ a(after). A vector that is not free, being
 //! held or shared, takes no part: its entries of T⁻¹ are 0, and it is not written.
 
-use super::chain::{MassChain, inverse, is_free};
+use super::chain::{MassChain, inverse, inverse_of_two, is_free};
 use crate::lanes::{LANES, Lanes, Path, Task, for_lanes};
 use crate::linear::SingularAt;
 use crate::structure::node_dofs::NodeDofs;
@@ -85,9 +85,8 @@ impl NodeChain {
 fn inverse_over([[a, b], [_, d]]: [[f64; 2]; 2], free: [bool; 2], vector: usize) -> Result<[[f64; 2]; 2], SingularAt> {
     Ok(match free {
         [true, true] => {
-            inverse(a, vector)?;
-            let det = inverse(a * d - b * b, vector + 1)?;
-            [[d * det, -b * det], [-b * det, a * det]]
+            let [own_a, beside, own_d] = inverse_of_two([a, b, d], vector)?;
+            [[own_a, beside], [beside, own_d]]
         }
         [true, false] => [[inverse(a, vector)?, 0.0], [0.0; 2]],
         [false, true] => [[0.0; 2], [0.0, inverse(d, vector + 1)?]],
