@@ -5,6 +5,7 @@
 
 pub(crate) mod benchmark;
 pub(crate) mod benchmarks;
+mod clock;
 mod converge;
 mod economies;
 mod grid;
@@ -25,6 +26,7 @@ pub(crate) mod technique;
 #[cfg(test)]
 mod tests;
 mod timing;
+mod trace;
 mod wording;
 
 use std::path::{Path, PathBuf};

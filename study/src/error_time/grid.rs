@@ -1,15 +1,18 @@
 //! The grid: meshes and steps that are tried for a scene, an element and a method, and the timing of the useful ones.
 
+use std::time::Instant;
+
 use super::benchmark::Benchmark;
 use super::pareto::DECADES;
 use super::point::{Point, Status};
 use super::reference::{Mesh, Reference};
-use super::samples::Samples;
+use super::samples::{SUPPORT, Samples};
 use super::setup::{Record, Resolution, Setup};
 use super::technique::{TECHNIQUES, Technique};
 use super::timing::{Timing, repeated, timed};
-use crate::error::Result;
-use crate::path::distance;
+use super::trace::Trace;
+use crate::error::{Error, Result};
+use crate::path::{column, columns, distance};
 use ancf::model::{Element, Method};
 use ancf::run::{Run, run};
 
@@ -173,57 +176,63 @@ impl Subject {
     }
 }
 
-/// A first run, and its time, which shows whether it is worth repeating.
+/// A run for its error and one for its time, which shows whether it is worth repeating.
 fn screen(setup: &Setup, reference: &Reference, mesh: &Mesh) -> Result<(Point, f64)> {
     let mut point = Point::new(setup, reference);
-    let (run, seconds) = timed(setup);
-    match run {
+    let begun = Instant::now();
+    let found = if setup.is_static() {
+        run(&setup.scene(Record::Position)?).map_err(Error::from).map(|run| (Samples::of(setup.benchmark, &run), 0.0, run))
+    } else {
+        Trace::of(setup).map(|(trace, run)| (trace.at(&setup.benchmark.times()), trace.interpolation_error(), run))
+    };
+    let mut seconds = begun.elapsed().as_secs_f64();
+    match found {
         Err(error) => {
             (point.reason, point.failed_after) = (error.to_string(), Some(seconds));
         }
-        Ok(run) => {
+        Ok((samples, interpolation, run)) => {
             (point.counts, point.rejected) = (run.counts, Some(run.counts.rejected));
-            let positions = Samples::of(setup.benchmark, &run);
-            point.compare(&positions, reference, Some(mesh));
+            point.compare(&samples, interpolation, reference, Some(mesh));
+            seconds = timed(setup).1;
             point.time = Timing::of(&[seconds]);
         }
     }
     Ok((point, seconds))
 }
 
-/// Adds errors of velocities, energies and reactions from a run that is not timed.
+/// Adds errors of energies and reactions from a run that is not timed.
 fn complete(setup: &Setup, point: &mut Point, reference: &Reference) -> Result<()> {
-    if let (Some(errors), Some(recorded)) = (&mut point.errors, record(setup)?) {
-        let samples = Samples::of(setup.benchmark, &recorded);
-        errors.velocity = samples.velocity_difference(reference.solution());
-        errors.energy = energy_balance(&recorded);
-        errors.reaction = reaction_error(setup, &recorded)?;
-    }
+    let (Some(errors), Some(recorded)) = (&mut point.errors, record(setup)?) else { return Ok(()) };
+    errors.energy = energy_balance(&recorded);
+    errors.reaction = if setup.is_static() {
+        let force = columns(&recorded, SUPPORT, ["rx", "ry"]).last().copied();
+        force.map(|force| setup.exact_reaction().map(|exact| distance(force, exact))).transpose()?
+    } else {
+        // The ends of the steps that are instants: a force is not smooth enough to be interpolated.
+        let times = column(&recorded, "t");
+        let forces = columns(&recorded, SUPPORT, ["rx", "ry"]);
+        let known = setup.benchmark.times().into_iter().zip(&reference.solution().reaction);
+        let apart = known.filter_map(|(t, known)| {
+            let row = times.partition_point(|row| *row < t - 1e-9);
+            let is_instant = times.get(row).is_some_and(|row| (row - t).abs() < 1e-9);
+            forces.get(row).filter(|_| is_instant).map(|force| distance(*force, *known))
+        });
+        apart.max_by(f64::total_cmp)
+    };
     Ok(())
 }
 
 /// The run that records everything; `None` if it fails.
 fn record(setup: &Setup) -> Result<Option<Run>> {
-    match run(&setup.scene(Record::Energies)?) {
+    match run(&setup.scene(Record::Steps)?) {
         // Without the energies there is no error but a large one of the position.
-        Err(ancf::error::Error::EnergyAppeared { .. }) => Ok(run(&setup.scene(Record::All)?).ok()),
+        Err(ancf::error::Error::EnergyAppeared { .. }) => Ok(run(&setup.scene(Record::Instants)?).ok()),
         run => Ok(run.ok()),
     }
 }
 
 fn energy_balance(run: &Run) -> Option<f64> {
     run.trajectory.column("energy.balance")?.into_iter().map(f64::abs).max_by(f64::total_cmp)
-}
-
-fn reaction_error(setup: &Setup, run: &Run) -> Result<Option<f64>> {
-    let column = |suffix: &str| {
-        let name = run.trajectory.columns.iter().find(|name| name.ends_with(suffix))?;
-        run.trajectory.column(name)?.last().copied()
-    };
-    match (setup.is_static(), column(".rx"), column(".ry")) {
-        (true, Some(x), Some(y)) => Ok(Some(distance([x, y], setup.exact_reaction()?))),
-        _ => Ok(None),
-    }
 }
 
 /// Times the points that are not outclassed.

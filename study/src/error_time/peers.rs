@@ -167,7 +167,7 @@ impl Line<'_> {
             let place = near.ok_or_else(|| self.refuse("t", &format!("the study's times: {:?}", benchmark.times())))?;
             position.push([x[place], y[place]]);
         }
-        Ok(Samples { position, velocity: Vec::new() })
+        Ok(Samples { position, ..Samples::default() })
     }
 
     fn text(&self, column: &str) -> &str {
@@ -218,7 +218,7 @@ impl Peer {
     pub fn compared(mut self, reference: &Reference) -> Peer {
         self.point.reference_uncertainty = reference.converged.uncertainty;
         if let Some(samples) = &self.samples {
-            self.point.compare(samples, reference, None);
+            self.point.compare(samples, 0.0, reference, None);
         }
         self
     }

@@ -41,8 +41,7 @@ fn reference(element: Element, elements: usize) -> Result<(Tip, f64)> {
     let stored = Reference::embedded(benchmark, element)?;
     let missing = || Error::fixture(benchmark.scene, format!("no mesh of {elements} elements {element}"));
     let mesh = stored.mesh(elements).ok_or_else(missing)?;
-    let samples = benchmark.times().into_iter().zip(mesh.samples.position.iter().copied());
-    let (t, r) = samples.filter(|(t, _)| *t <= END).unzip();
+    let (t, r) = stored.rows(benchmark, mesh).filter(|(t, _)| *t <= END).unzip();
     Ok((Tip { t, r }, mesh.time_uncertainty))
 }
 
