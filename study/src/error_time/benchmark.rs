@@ -13,6 +13,8 @@ pub struct Benchmark {
     pub probe: &'static str,
     /// The scene, if it is no built-in one.
     pub own: Option<&'static Scene>,
+    /// Size of its motion, of which errors are parts, m.
+    pub unit: f64,
     /// Time from one row of a timed run to the next, s; the load factor in statics.
     pub interval: f64,
     /// Number of intervals.

@@ -11,6 +11,7 @@ const PENDULUM: Benchmark = Benchmark {
     scene: "pendulum-flexible",
     probe: "tip",
     own: None,
+    unit: 1.0,
     interval: 0.25,
     rows: 8,
     instants: 50,
@@ -26,6 +27,7 @@ const SCISSORS: Benchmark = Benchmark {
     scene: "scissors-3",
     probe: "a4",
     own: None,
+    unit: 1.0,
     interval: 0.5,
     rows: 6,
     instants: 50,
@@ -56,6 +58,7 @@ pub const BENCHMARKS: [Benchmark; 6] = [
         scene: "cantilever",
         probe: "tip",
         own: None,
+        unit: 1.0,
         interval: 1.0,
         rows: 1,
         instants: 1,
@@ -77,18 +80,23 @@ pub fn named(scenes: &[String]) -> Result<Vec<&'static Benchmark>> {
         let complete = |benchmark: &&Benchmark| ELEMENTS.iter().all(|e| Reference::is_embedded(benchmark, *e));
         return Ok(BENCHMARKS.iter().filter(complete).collect());
     }
-    let find = |name: &String| {
-        BENCHMARKS.iter().find(|benchmark| benchmark.scene == name).ok_or_else(|| Error::Name {
-            file: "ancf error-time".into(),
-            key: "SCENE".into(),
-            value: format!("`{name}`"),
-            allowed: scene_names(),
-        })
-    };
-    scenes.iter().map(find).collect()
+    scenes.iter().map(|name| of(name)).collect()
+}
+
+/// The benchmark of a scene.
+///
+/// # Errors
+/// [`Error::Name`] for a scene that is not in the study.
+pub fn of(name: &str) -> Result<&'static Benchmark> {
+    BENCHMARKS.iter().find(|benchmark| benchmark.scene == name).ok_or_else(|| Error::Name {
+        file: "ancf error-time".into(),
+        key: "SCENE".into(),
+        value: format!("`{name}`"),
+        allowed: format!("{}, or the file of a scene", scene_names()),
+    })
 }
 
 /// Names of all scenes, in a list.
-pub fn scene_names() -> String {
+fn scene_names() -> String {
     BENCHMARKS.map(|benchmark| benchmark.scene).join(", ")
 }

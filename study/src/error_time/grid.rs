@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::benchmark::Benchmark;
 use super::pareto::DECADES;
 use super::point::{Point, Status};
-use super::reference::{Mesh, Reference};
+use super::reference::{Limit, Mesh, Reference};
 use super::samples::{SUPPORT, Samples};
 use super::setup::{Record, Resolution, Setup};
 use super::technique::{TECHNIQUES, Technique};
@@ -50,7 +50,9 @@ pub struct Limits {
 
 impl Limits {
     /// Of the full study.
-    pub const FULL: Limits = Limits { longest_run: 0.6, finest_mesh: 32, finest_static: usize::MAX };
+    pub const FULL: Limits = Limits { longest_run: 0.5, finest_mesh: 32, finest_static: usize::MAX };
+    /// Of a scene of the user's own.
+    pub const OWN: Limits = Limits { longest_run: 0.3, finest_mesh: usize::MAX, finest_static: usize::MAX };
     /// Of the quick study.
     pub const QUICK: Limits = Limits { longest_run: 0.06, finest_mesh: 16, finest_static: 16 };
 }
@@ -73,7 +75,7 @@ impl Subject {
         let at_limit = |mesh: &&Mesh| Status::of(self.reference.space_error(mesh), uncertainty) == Status::AtLimit;
         let meshes = &self.reference.meshes;
         let useful = meshes.iter().position(|mesh| at_limit(&mesh)).map_or(meshes.len(), |first| first + 1);
-        let hopeless = HOPELESS * DECADES[0];
+        let hopeless = HOPELESS * DECADES[0] * self.benchmark.unit;
         let most = if self.benchmark.is_static() { limits.finest_static } else { limits.finest_mesh };
         let of_use = |mesh: &&Mesh| mesh.elements <= most && self.reference.space_error(mesh) <= hopeless;
         meshes[..useful].iter().filter(of_use).collect()
@@ -84,11 +86,11 @@ impl Subject {
         TECHNIQUES.iter().filter(|technique| technique.is_static() == self.benchmark.is_static())
     }
 
-    /// All points of all methods; calls `on_mesh` after each method for each of its meshes.
+    /// All points of all methods with their setups; calls `on_mesh` after each method for each of its meshes.
     ///
     /// # Errors
     /// [`Error::Fixture`](crate::error::Error::Fixture) for an unsuitable scene. A run that fails is a point.
-    pub fn points(&self, limits: &Limits, on_mesh: impl Fn()) -> Result<Vec<Point>> {
+    pub fn points(&self, limits: &Limits, on_mesh: impl Fn()) -> Result<Vec<(Setup, Point)>> {
         let mut tried = Vec::new();
         for technique in self.techniques() {
             self.refine(technique, limits, &mut tried)?;
@@ -106,7 +108,7 @@ impl Subject {
     fn between(&self, tried: &[(Setup, Point)]) -> Vec<(Setup, &Mesh)> {
         let enough = |point: &Point, decade| point.bound().is_some_and(|bound| bound <= decade);
         let mut between = Vec::new();
-        for decade in DECADES {
+        for decade in DECADES.map(|decade| decade * self.benchmark.unit) {
             let able = tried.iter().filter(|(_, point)| enough(point, decade));
             let best = able.filter_map(|(_, point)| point.seconds()).fold(f64::INFINITY, f64::min);
             for (setup, point) in tried.iter().filter(|(_, point)| enough(point, decade)) {
@@ -192,8 +194,8 @@ fn screen(setup: &Setup, reference: &Reference, mesh: &Mesh) -> Result<(Point, f
         }
         Ok((samples, interpolation, run)) => {
             (point.counts, point.rejected) = (run.counts, Some(run.counts.rejected));
-            point.compare(&samples, interpolation, reference, Some(mesh));
-            seconds = timed(setup).1;
+            point.compare(&samples, interpolation, &Limit { mesh: Some(mesh), ..reference.limit() });
+            seconds = timed(setup).1.computed;
             point.time = Timing::of(&[seconds]);
         }
     }
@@ -236,7 +238,7 @@ fn energy_balance(run: &Run) -> Option<f64> {
 }
 
 /// Times the points that are not outclassed.
-fn time_useful(tried: Vec<(Setup, Point)>, reference: &Reference) -> Result<Vec<Point>> {
+fn time_useful(tried: Vec<(Setup, Point)>, reference: &Reference) -> Result<Vec<(Setup, Point)>> {
     let numbers = |(setup, point): &(Setup, Point)| Some((setup.technique.method, point.bound()?, point.seconds()?));
     let known: Vec<(Method, f64, f64)> = tried.iter().filter_map(numbers).collect();
     let mut points = Vec::new();
@@ -254,7 +256,7 @@ fn time_useful(tried: Vec<(Setup, Point)>, reference: &Reference) -> Result<Vec<
                 point.time = Timing::of(&repeated(&setup)?);
             }
         }
-        points.push(point);
+        points.push((setup, point));
     }
     Ok(points)
 }

@@ -2,11 +2,12 @@
 
 use serde::{Serialize, Serializer};
 
-use super::reference::{Mesh, Reference};
+use super::reference::{Limit, Reference};
 use super::samples::Samples;
 use super::setup::Setup;
 use super::timing::Timing;
 use ancf::integrators::Counts;
+use ancf::model::Element;
 
 /// Name of this program.
 pub const OURS: &str = "ancf";
@@ -96,6 +97,8 @@ pub struct Point {
     pub scene: String,
     /// The program's name of the element.
     pub element: String,
+    /// Whether its theory has shear.
+    pub has_shear: bool,
     /// The method.
     pub method: String,
     /// Whether the largest frequency limits the step.
@@ -108,6 +111,9 @@ pub struct Point {
     pub tolerance: Option<f64>,
     /// Newton's tolerance, relative to the largest force term; `None` without an iteration.
     pub newton_tolerance: Option<f64>,
+    /// Other settings of another program, in words.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub options: String,
     /// Errors; `None` if it failed.
     pub errors: Option<Errors>,
     /// Uncertainty of the reference, m.
@@ -133,6 +139,7 @@ impl Point {
             program: OURS.into(),
             scene: setup.benchmark.scene.into(),
             element: setup.element.to_string(),
+            has_shear: setup.element == Element::Ancf,
             method: setup.technique.method.to_string(),
             explicit: setup.technique.explicit,
             elements: setup.elements,
@@ -149,6 +156,11 @@ impl Point {
         self.errors.as_ref().map(Errors::shown)
     }
 
+    /// Whether its time was taken in turns with others.
+    pub fn in_turns(&self) -> bool {
+        self.time.as_ref().is_some_and(|time| time.in_turns)
+    }
+
     /// Median run time, s.
     pub fn seconds(&self) -> Option<f64> {
         self.time.as_ref().map(|time| time.median)
@@ -160,10 +172,9 @@ impl Point {
         Some(errors.shown() + errors.interpolation + self.reference_uncertainty)
     }
 
-    /// Sets errors and status from the motion at the instants and the error of their interpolation; `mesh` is the reference's solution on the
-    /// run's mesh, if there is one.
-    pub fn compare(&mut self, samples: &Samples, interpolation: f64, reference: &Reference, mesh: Option<&Mesh>) {
-        let solution = reference.solution();
+    /// Sets errors and status from the motion at the instants and the error of their interpolation.
+    pub fn compare(&mut self, samples: &Samples, interpolation: f64, limit: &Limit) {
+        let Limit { solution, uncertainty, mesh } = *limit;
         let errors = Errors {
             position: samples.distance(solution),
             between: samples.between(solution),
@@ -172,10 +183,10 @@ impl Point {
             reaction: None,
             energy: None,
             time: mesh.map(|mesh| samples.distance(&mesh.samples)),
-            space: mesh.map(|mesh| reference.space_error(mesh)),
+            space: mesh.map(|mesh| mesh.samples.distance(solution)),
         };
         let known = errors.position.is_finite() && errors.interpolation.is_finite();
-        self.status = Status::of(if known { errors.shown() } else { f64::NAN }, reference.converged.uncertainty);
+        self.status = Status::of(if known { errors.shown() } else { f64::NAN }, uncertainty);
         if self.status == Status::Failed {
             self.reason = "positions are missing, or are not numbers".into();
             return;

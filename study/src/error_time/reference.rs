@@ -98,7 +98,23 @@ pub struct Witness {
     pub change: f64,
 }
 
+/// What runs are compared with.
+#[derive(Clone, Copy, Debug)]
+pub struct Limit<'a> {
+    /// The converged solution.
+    pub solution: &'a Samples,
+    /// Its uncertainty, m.
+    pub uncertainty: f64,
+    /// The solution on the mesh of the run, if it is known.
+    pub mesh: Option<&'a Mesh>,
+}
+
 impl Reference {
+    /// The converged solution with its uncertainty.
+    pub fn limit(&self) -> Limit<'_> {
+        Limit { solution: self.solution(), uncertainty: self.converged.uncertainty, mesh: None }
+    }
+
     /// Name of the file for a scene and an element.
     pub fn file_name(benchmark: &Benchmark, element: Element) -> String {
         format!("{}-{element}.json", benchmark.scene)
