@@ -195,7 +195,8 @@ fn scenes(options: &Options) -> Result<Vec<Vec<Subject>>> {
             None => subjects.next(),
             Some((benchmark, element)) => {
                 let references = converge::references(&[(benchmark, element)], own::LONGEST_RUN)?;
-                Some(references.into_iter().map(|reference| Subject { benchmark, element, reference }).collect())
+                let subjects = references.into_iter().map(|reference| Subject::new(benchmark, element, reference));
+                Some(subjects.collect::<Result<Vec<_>>>()?)
             }
         });
     }
@@ -204,7 +205,7 @@ fn scenes(options: &Options) -> Result<Vec<Vec<Subject>>> {
 
 /// A scene of the study with both elements.
 fn embedded(benchmark: &'static benchmark::Benchmark) -> Result<Vec<Subject>> {
-    let subject = |element| Ok(Subject { benchmark, element, reference: Reference::embedded(benchmark, element)? });
+    let subject = |element| Subject::new(benchmark, element, Reference::embedded(benchmark, element)?);
     ELEMENTS.into_iter().map(subject).collect()
 }
 

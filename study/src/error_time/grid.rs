@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::benchmark::Benchmark;
+use super::benchmark::{Benchmark, ContinuumSolution};
 use super::pareto::DECADES;
 use super::point::{Point, Status};
 use super::reference::{Limit, Mesh, Reference};
@@ -12,6 +12,8 @@ use super::technique::{TECHNIQUES, Technique};
 use super::timing::{Timing, repeated, timed};
 use super::trace::Trace;
 use crate::error::{Error, Result};
+use crate::paper::continuum::Continuum;
+use crate::paper::tip::Tip;
 use crate::path::{column, columns, distance};
 use ancf::model::{Element, Method};
 use ancf::run::{Run, run};
@@ -66,9 +68,23 @@ pub struct Subject {
     pub element: Element,
     /// Its converged solutions.
     pub reference: Reference,
+    /// The plane solid's tip, if it is known.
+    pub solid: Option<Tip>,
 }
 
 impl Subject {
+    /// A benchmark with an element and their reference; the plane solid is looked up.
+    ///
+    /// # Errors
+    /// [`Error::Fixture`] if that cannot be read.
+    pub fn new(benchmark: &'static Benchmark, element: Element, reference: Reference) -> Result<Subject> {
+        let solid = match benchmark.continuum {
+            Some(ContinuumSolution::Solid(id)) => Some(Continuum::load()?.solid(id)?.tip),
+            _ => None,
+        };
+        Ok(Subject { benchmark, element, reference, solid })
+    }
+
     /// Meshes to run: from the first whose error in space is acceptable to the first at the reference's limit.
     pub fn meshes(&self, limits: &Limits) -> Vec<&Mesh> {
         let uncertainty = self.reference.converged.uncertainty;
@@ -98,7 +114,7 @@ impl Subject {
         }
         for _ in 0..BISECTIONS {
             for (setup, mesh) in self.between(&tried) {
-                tried.push((setup, screen(&setup, &self.reference, mesh)?.0));
+                tried.push((setup, self.screen(&setup, mesh)?.0));
             }
         }
         time_useful(tried, &self.reference)
@@ -139,7 +155,7 @@ impl Subject {
 
     /// Tries the meshes of one method, each with finer and finer steps.
     fn refine(&self, technique: &'static Technique, limits: &Limits, tried: &mut Vec<(Setup, Point)>) -> Result<()> {
-        let &Subject { benchmark, element, ref reference } = self;
+        let &Subject { benchmark, element, .. } = self;
         let mut start = None;
         for mesh in self.meshes(limits) {
             let elements = mesh.elements;
@@ -157,7 +173,7 @@ impl Subject {
             start = None;
             let mut failures = 0;
             loop {
-                let (point, seconds) = screen(&setup, reference, mesh)?;
+                let (point, seconds) = self.screen(&setup, mesh)?;
                 let ratio = point.errors.as_ref().and_then(|errors| Some(errors.time? / errors.space?));
                 let (status, useful) = (point.status, ratio.is_some_and(|ratio| ratio <= COARSE));
                 tried.push((setup, point));
@@ -176,10 +192,10 @@ impl Subject {
         }
         Ok(())
     }
-}
 
 /// A run for its error and one for its time, which shows whether it is worth repeating.
-fn screen(setup: &Setup, reference: &Reference, mesh: &Mesh) -> Result<(Point, f64)> {
+fn screen(&self, setup: &Setup, mesh: &Mesh) -> Result<(Point, f64)> {
+    let reference = &self.reference;
     let mut point = Point::new(setup, reference);
     let begun = Instant::now();
     let found = if setup.is_static() {
@@ -195,11 +211,16 @@ fn screen(setup: &Setup, reference: &Reference, mesh: &Mesh) -> Result<(Point, f
         Ok((samples, interpolation, run)) => {
             (point.counts, point.rejected) = (run.counts, Some(run.counts.rejected));
             point.compare(&samples, interpolation, &Limit { mesh: Some(mesh), ..reference.limit() });
+            if let (Some(errors), Some(solid)) = (&mut point.errors, &self.solid) {
+                let own = Tip { t: setup.benchmark.times(), r: samples.position };
+                errors.solid = Some(own.largest_distance(solid, |t| t > 0.0));
+            }
             seconds = timed(setup).1.computed;
             point.time = Timing::of(&[seconds]);
         }
     }
     Ok((point, seconds))
+}
 }
 
 /// Adds errors of energies and reactions from a run that is not timed.

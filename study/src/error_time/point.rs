@@ -77,6 +77,8 @@ pub struct Errors {
     pub time: Option<f64>,
     /// That solution's distance from the reference, m.
     pub space: Option<f64>,
+    /// Distance of the run from a plane solid, m, at its instants: what the theory leaves is in it, too.
+    pub solid: Option<f64>,
 }
 
 impl Errors {
@@ -184,6 +186,7 @@ impl Point {
             energy: None,
             time: mesh.map(|mesh| samples.distance(&mesh.samples)),
             space: mesh.map(|mesh| mesh.samples.distance(solution)),
+            solid: None,
         };
         let known = errors.position.is_finite() && errors.interpolation.is_finite();
         self.status = Status::of(if known { errors.shown() } else { f64::NAN }, uncertainty);

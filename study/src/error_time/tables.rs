@@ -6,7 +6,7 @@ use super::wording::{ratio_of, timing};
 use crate::table::{Table, cells};
 
 const COLUMNS: &str = "program,scene,element,method,elements,step,tolerance,newton_tolerance,error_position,error_between,error_interpolation,\
-                       error_velocity,error_reaction,energy_balance,error_time,error_space,reference_uncertainty,error_bound,time_median_s,\
+                       error_velocity,error_reaction,energy_balance,error_time,error_space,error_solid,reference_uncertainty,error_bound,time_median_s,\
                        time_lower_s,time_upper_s,runs,disturbed,in_turns,steps,rejected,\
                        newton_iterations,force_calls,tangent_calls,factorizations,solves,status,reason";
 
@@ -20,6 +20,7 @@ pub fn points<'a>(points: impl Iterator<Item = &'a Point>) -> Table {
             cells![errors.map(|e| e.position), errors.map(|e| e.between), errors.map(|e| e.interpolation)],
             cells![errors.and_then(|e| e.velocity), errors.and_then(|e| e.reaction)],
             cells![errors.and_then(|e| e.energy), errors.and_then(|e| e.time), errors.and_then(|e| e.space)],
+            cells![errors.and_then(|e| e.solid)],
             cells![point.reference_uncertainty, point.bound()],
             cells![time.map(|t| t.median), time.map(|t| t.lower), time.map(|t| t.upper)],
             cells![time.map_or(0, |t| t.runs), time.map_or(0, |t| t.disturbed), point.in_turns().to_string()],
