@@ -13,6 +13,8 @@ mod economies;
 mod finals;
 mod grid;
 mod group;
+#[cfg(test)]
+mod labels;
 mod machine;
 mod own;
 mod page;

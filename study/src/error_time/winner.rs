@@ -17,6 +17,8 @@ pub struct Winner {
     pub below: f64,
     /// Our fastest point, in words.
     pub what: String,
+    /// Upper bound of its error at any time, m.
+    pub bound: f64,
     /// The point.
     pub ours: Point,
     /// The other program's fastest point.
@@ -30,8 +32,9 @@ pub fn winners(groups: &[Group]) -> Vec<Winner> {
     let of = |group: &Group| {
         let found = group.decades().into_iter().filter_map(|(below, point)| {
             let ours = point?.clone();
+            let bound = ours.bound()?;
             let (theirs, ratio) = (group.peer(below).cloned(), group.ratio(below));
-            Some(Winner { scene: group.scene, element: group.element, below, what: ours.what(), ours, theirs, ratio })
+            Some(Winner { scene: group.scene, element: group.element, below, what: ours.what(), bound, ours, theirs, ratio })
         });
         found.collect::<Vec<_>>()
     };
