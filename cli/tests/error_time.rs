@@ -34,9 +34,15 @@ fn bad_input_is_exit_code_2_and_writes_nothing() {
         (&["error-time", "pendulum"][..], "`SCENE` is `pendulum`; allowed: pendulum-flexible, "),
         (&["error-time", "--references", "pendulum"], "`SCENE` is `pendulum`"),
         (&["error-time", "none.json"], "none.json"),
-        (&["error-time", "unseen.json"], "unseen.json: `probes` is without one of a position; allowed: a probe of a point's position"),
+        (
+            &["error-time", "unseen.json"],
+            "unseen.json: `probes` is without one of a position; allowed: a probe of a point's position",
+        ),
         (&["error-time", "path.json"], "path.json: `time.path` is arc-length; allowed: statics by load steps"),
-        (&["error-time", "cantilever", "--peer", "no-such-program"], "the program `no-such-program` cannot be measured: "),
+        (
+            &["error-time", "cantilever", "--peer", "no-such-program"],
+            "the program `no-such-program` cannot be measured: ",
+        ),
         (&["error-time", "cantilever", "--peer", "sh mute.sh"], "its line `hello` is no answer"),
         (&["error-time", "cantilever", "--peer", "true"], "it has ended without an answer"),
     ];
@@ -76,7 +82,11 @@ fn a_scene_of_ones_own_is_told_which_method_mesh_and_step_to_take() {
     let advice = "mine, ancf, errors below 1e-3 m: \"elements\": ";
     let line = stdout.lines().find(|line| line.contains(advice)).unwrap_or_else(|| panic!("{stdout}"));
     let (elements, time) = line.split_once(advice).unwrap().1.split_once(" in each rod, \"time\": ").unwrap();
-    assert!(!stdout.contains("Economies") && stdout.contains("mine, ancf: ") && stdout.contains("; reference 32 elements ± "));
+    assert!(
+        !stdout.contains("Economies")
+            && stdout.contains("mine, ancf: ")
+            && stdout.contains("; reference 32 elements ± ")
+    );
     let html = fs::read_to_string(folder.path().join("here/error-time.html")).unwrap();
     assert!(html.contains("As lines of a scene file") && html.contains("mine, ancf, errors below 1e-3 m"));
     // The lines are those of a scene file, and hold what they promise.
@@ -139,6 +149,9 @@ fn the_command_writes_its_four_files() {
     let json: serde_json::Value = serde_json::from_str(&read("error-time.json")).unwrap();
     assert!(json["machine"]["version"] == env!("CARGO_PKG_VERSION") && json["options"]["quick"] == true);
     let html = read("error-time.html");
-    assert!(json["winners"].as_array().unwrap().iter().all(|winner| winner["ours"]["time"]["in_turns"] == true), "{json}");
+    assert!(
+        json["winners"].as_array().unwrap().iter().all(|winner| winner["ours"]["time"]["in_turns"] == true),
+        "{json}"
+    );
     assert!(html.contains("<svg") && html.contains("Which method for which accuracy") && html.ends_with("</html>\n"));
 }

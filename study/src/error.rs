@@ -65,7 +65,9 @@ pub enum Error {
         reason: String,
     },
     /// Another program, with which this one is compared, does not answer.
-    #[error("the program `{command}` cannot be measured: {reason}; allowed: a command that answers as `python -m oracle.peers` does")]
+    #[error(
+        "the program `{command}` cannot be measured: {reason}; allowed: a command that answers as `python -m oracle.peers` does"
+    )]
     Peer {
         /// Its command.
         command: String,

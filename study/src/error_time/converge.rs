@@ -58,7 +58,8 @@ pub fn write_references(benchmarks: &[&'static Benchmark], folder: &Path) -> Res
     let pairs = benchmarks.iter().flat_map(|benchmark| ELEMENTS.map(|element| (benchmark, element)));
     let names = pairs.map(|(benchmark, element)| Reference::file_name(benchmark, element));
     let mut files = Files::in_folder(folder, names, &[])?;
-    let subjects: Vec<_> = benchmarks.iter().flat_map(|benchmark| ELEMENTS.map(|element| (*benchmark, element))).collect();
+    let subjects: Vec<_> =
+        benchmarks.iter().flat_map(|benchmark| ELEMENTS.map(|element| (*benchmark, element))).collect();
     for reference in references(&subjects, LONGEST_RUN)? {
         let benchmark = benchmarks.iter().find(|benchmark| benchmark.scene == reference.scene);
         let element = ELEMENTS.into_iter().find(|element| element.word() == reference.element);

@@ -102,7 +102,8 @@ fn pairs() -> Result<Vec<Pair>> {
     let implicit = job(PENDULUM, Method::GeneralizedAlpha, 1e-3, 8)?;
     let scissors = job(SCISSORS, Method::GeneralizedAlpha, 1e-3, 4)?;
     let every_step = |job: &Job| job.changed(|scene| scene.output.interval = Some(scene.time.step));
-    let cable = |job: &Job| job.changed(|scene| *scene = scene.clone().meshed(Element::EulerBernoulli, scene.rods[0].elements));
+    let cable =
+        |job: &Job| job.changed(|scene| *scene = scene.clone().meshed(Element::EulerBernoulli, scene.rods[0].elements));
     let new_matrices = |job: &Job| {
         let mut fresh = job.clone();
         fresh.plan.new_matrices = true;
@@ -118,7 +119,11 @@ fn pairs() -> Result<Vec<Pair>> {
         pair("a row each step", &explicit, &rows),
         pair("energies each step", &rows, &energies),
         pair("axes of the rods for the page of a run, 200 frames", &explicit, &frames),
-        pair("shear and the section's stretch: Euler–Bernoulli in place of the paper's element", &explicit_cable, &explicit),
+        pair(
+            "shear and the section's stretch: Euler–Bernoulli in place of the paper's element",
+            &explicit_cable,
+            &explicit,
+        ),
         pair("the same, implicit", &implicit_cable, &implicit),
         pair("the same, pinned rods", &scissors_cable, &scissors),
         pair("multipliers: pins as shared coordinates", &scissors, &pinned),
@@ -140,7 +145,8 @@ fn measured(Pair { what, without, with }: Pair) -> Result<Economy> {
     };
     let timings = take_turns(&mut [runner(&without, 0), runner(&with, 1)])?;
     let ends = ends.into_inner();
-    let (Ok([Some(first), Some(second)]), [Some(a), Some(b)]) = (<[Option<Timing>; 2]>::try_from(timings), &ends) else {
+    let (Ok([Some(first), Some(second)]), [Some(a), Some(b)]) = (<[Option<Timing>; 2]>::try_from(timings), &ends)
+    else {
         return Err(Error::fixture("economies", "nothing was measured"));
     };
     Ok(Economy { what, scene: name(&with.scene), without: first, with: second, difference: difference(a, b) })

@@ -47,8 +47,12 @@ pub fn hold(
     elements.dedup();
     let mut chosen = Vec::new();
     for element in elements {
-        let family: Vec<(usize, &Point)> =
-            theirs.iter().enumerate().map(|(n, peer)| (n, &peer.point)).filter(|(_, point)| point.element == element).collect();
+        let family: Vec<(usize, &Point)> = theirs
+            .iter()
+            .enumerate()
+            .map(|(n, peer)| (n, &peer.point))
+            .filter(|(_, point)| point.element == element)
+            .collect();
         let found = candidates(unit, family.iter().map(|(_, point)| *point));
         chosen.extend(found.into_iter().map(|n| family[n].0));
     }
@@ -75,7 +79,9 @@ fn candidates<'a>(unit: f64, family: impl Iterator<Item = &'a Point>) -> Vec<usi
         let mut able: Vec<_> = known.iter().filter(|(_, bound, _)| *bound <= decade).collect();
         able.sort_by(|a, b| a.2.total_cmp(&b.2));
         let fastest = able.first().map_or(0.0, |(.., time)| *time);
-        chosen.extend(able.into_iter().take_while(|(.., time)| *time <= CANDIDATE * fastest).take(MOST).map(|(n, ..)| *n));
+        chosen.extend(
+            able.into_iter().take_while(|(.., time)| *time <= CANDIDATE * fastest).take(MOST).map(|(n, ..)| *n),
+        );
     }
     chosen.sort_unstable();
     chosen.dedup();

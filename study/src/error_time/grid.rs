@@ -193,34 +193,36 @@ impl Subject {
         Ok(())
     }
 
-/// A run for its error and one for its time, which shows whether it is worth repeating.
-fn screen(&self, setup: &Setup, mesh: &Mesh) -> Result<(Point, f64)> {
-    let reference = &self.reference;
-    let mut point = Point::new(setup, reference);
-    let begun = Instant::now();
-    let found = if setup.is_static() {
-        run(&setup.scene(Record::Position)?).map_err(Error::from).map(|run| (Samples::of(setup.benchmark, &run), 0.0, run))
-    } else {
-        Trace::of(setup).map(|(trace, run)| (trace.at(&setup.benchmark.times()), trace.interpolation_error(), run))
-    };
-    let mut seconds = begun.elapsed().as_secs_f64();
-    match found {
-        Err(error) => {
-            (point.reason, point.failed_after) = (error.to_string(), Some(seconds));
-        }
-        Ok((samples, interpolation, run)) => {
-            (point.counts, point.rejected) = (run.counts, Some(run.counts.rejected));
-            point.compare(&samples, interpolation, &Limit { mesh: Some(mesh), ..reference.limit() });
-            if let (Some(errors), Some(solid)) = (&mut point.errors, &self.solid) {
-                let own = Tip { t: setup.benchmark.times(), r: samples.position };
-                errors.solid = Some(own.largest_distance(solid, |t| t > 0.0));
+    /// A run for its error and one for its time, which shows whether it is worth repeating.
+    fn screen(&self, setup: &Setup, mesh: &Mesh) -> Result<(Point, f64)> {
+        let reference = &self.reference;
+        let mut point = Point::new(setup, reference);
+        let begun = Instant::now();
+        let found = if setup.is_static() {
+            run(&setup.scene(Record::Position)?)
+                .map_err(Error::from)
+                .map(|run| (Samples::of(setup.benchmark, &run), 0.0, run))
+        } else {
+            Trace::of(setup).map(|(trace, run)| (trace.at(&setup.benchmark.times()), trace.interpolation_error(), run))
+        };
+        let mut seconds = begun.elapsed().as_secs_f64();
+        match found {
+            Err(error) => {
+                (point.reason, point.failed_after) = (error.to_string(), Some(seconds));
             }
-            seconds = timed(setup).1.computed;
-            point.time = Timing::of(&[seconds]);
+            Ok((samples, interpolation, run)) => {
+                (point.counts, point.rejected) = (run.counts, Some(run.counts.rejected));
+                point.compare(&samples, interpolation, &Limit { mesh: Some(mesh), ..reference.limit() });
+                if let (Some(errors), Some(solid)) = (&mut point.errors, &self.solid) {
+                    let own = Tip { t: setup.benchmark.times(), r: samples.position };
+                    errors.solid = Some(own.largest_distance(solid, |t| t > 0.0));
+                }
+                seconds = timed(setup).1.computed;
+                point.time = Timing::of(&[seconds]);
+            }
         }
+        Ok((point, seconds))
     }
-    Ok((point, seconds))
-}
 }
 
 /// Adds errors of energies and reactions from a run that is not timed.

@@ -55,9 +55,11 @@ fn element(word: &str) -> Element {
 
 impl Winner {
     fn setup(&self) -> Setup {
-        let (benchmark, Ours { method, elements, step, tolerance, newton_tolerance, .. }) = (benchmarks::of(&self.scene).unwrap(), &self.ours);
+        let (benchmark, Ours { method, elements, step, tolerance, newton_tolerance, .. }) =
+            (benchmarks::of(&self.scene).unwrap(), &self.ours);
         let its = |technique: &&Technique| {
-            technique.method.word() == method && newton_tolerance.is_none_or(|newton| newton == technique.newton_tolerance)
+            technique.method.word() == method
+                && newton_tolerance.is_none_or(|newton| newton == technique.newton_tolerance)
         };
         let parts = |step: f64| (benchmark.interval / step).round() as usize;
         let resolution = match (tolerance, step) {
@@ -86,10 +88,13 @@ impl Converged {
         let witness = reference.finest().witnesses.iter().min_by_key(last).unwrap();
         let known = Technique::of(Method::from_word(&witness.method).unwrap()).unwrap();
         // A tolerance that leaves nothing; the tests end before that matters.
-        let technique: &Technique = Box::leak(Box::new(Technique { newton_tolerance: 1e-10, refinement: Refinement::Steps, ..*known }));
+        let technique: &Technique =
+            Box::leak(Box::new(Technique { newton_tolerance: 1e-10, refinement: Refinement::Steps, ..*known }));
         let run = |step: f64| {
             let resolution = Resolution::Steps((benchmark.interval / step).round() as usize);
-            Trace::of(&Setup { benchmark, element, elements: reference.converged.elements, technique, resolution }).unwrap().0
+            Trace::of(&Setup { benchmark, element, elements: reference.converged.elements, technique, resolution })
+                .unwrap()
+                .0
         };
         let [.., coarse, fine] = witness.steps[..] else { panic!("{scene}: one run only") };
         let order = witness.extrapolated.then_some(technique.order);
@@ -118,7 +123,8 @@ fn published_runs_are_within_their_labels_by_their_own_bounds() {
 #[test]
 #[cfg_attr(debug_assertions, ignore = "runs of the finest meshes; in release mode")]
 fn no_published_run_exceeds_its_label_at_any_step() {
-    let winners: Vec<Winner> = winners().into_iter().filter(|winner| !benchmarks::of(&winner.scene).unwrap().is_static()).collect();
+    let winners: Vec<Winner> =
+        winners().into_iter().filter(|winner| !benchmarks::of(&winner.scene).unwrap().is_static()).collect();
     let mut exceeding = Vec::new();
     for group in winners.chunk_by(|a, b| (&a.scene, &a.element) == (&b.scene, &b.element)) {
         let converged = Converged::of(&group[0].scene, element(&group[0].element));
@@ -127,7 +133,14 @@ fn no_published_run_exceeds_its_label_at_any_step() {
             let known = converged.at(&trace.t[1..]);
             let own = Samples { position: trace.position[1..].to_vec(), ..Samples::default() };
             let error = own.distance(&known);
-            let line = format!("{}, {}, {}: {error:.2e} m at {} steps, labelled {:.0e}", winner.scene, winner.element, winner.ours.method, known.position.len(), winner.below);
+            let line = format!(
+                "{}, {}, {}: {error:.2e} m at {} steps, labelled {:.0e}",
+                winner.scene,
+                winner.element,
+                winner.ours.method,
+                known.position.len(),
+                winner.below
+            );
             println!("{line}");
             // Also a NaN.
             if !(error <= winner.below) {
@@ -155,5 +168,9 @@ fn the_label_that_did_not_hold_is_refused() {
     let eight = at(&samples).distance(&at(solution));
     assert!((4.1e-4..4.3e-4).contains(&eight), "{eight:e}");
     let all = samples.distance(solution);
-    assert!((1.7e-3..1.9e-3).contains(&all) && trace.interpolation_error() < 1e-4, "{all:e}, {:e}", trace.interpolation_error());
+    assert!(
+        (1.7e-3..1.9e-3).contains(&all) && trace.interpolation_error() < 1e-4,
+        "{all:e}, {:e}",
+        trace.interpolation_error()
+    );
 }

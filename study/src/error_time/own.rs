@@ -50,7 +50,8 @@ pub fn benchmark(file: &str) -> Result<(&'static Benchmark, Element)> {
         return Err(refuse("time.path", "arc-length".into(), "statics by load steps, or a motion"));
     }
     let element = scene.rods.first().map_or(Element::Ancf, |rod| rod.element);
-    let (interval, rows, instants) = if is_static { (1.0, 1, 1) } else { (scene.time.end / ROWS as f64, ROWS, INSTANTS) };
+    let (interval, rows, instants) =
+        if is_static { (1.0, 1, 1) } else { (scene.time.end / ROWS as f64, ROWS, INSTANTS) };
     let meshes = meshes(&scene).ok_or_else(|| {
         let total: usize = scene.rods.iter().map(|rod| rod.elements).sum();
         let allowed = format!("numbers of which half and a quarter are whole, so that three meshes show an uncertainty; at most {MOST_ELEMENTS} in all on the coarsest");

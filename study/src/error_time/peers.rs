@@ -31,7 +31,12 @@ struct Theory {
 ///
 /// # Errors
 /// [`Error::Peer`](crate::error::Error::Peer). A run that fails is a point.
-pub fn points(peer: &mut Peer, benchmark: &Benchmark, euler_bernoulli: &Reference, quick: bool) -> Result<Vec<PeerPoint>> {
+pub fn points(
+    peer: &mut Peer,
+    benchmark: &Benchmark,
+    euler_bernoulli: &Reference,
+    quick: bool,
+) -> Result<Vec<PeerPoint>> {
     let (times, mut theories, mut points) = (benchmark.times(), Vec::<Theory>::new(), Vec::new());
     for offer in peer.offers(benchmark.scene, quick)? {
         if !theories.iter().any(|theory| theory.element == offer.element) {

@@ -61,7 +61,8 @@ pub fn svg(groups: &[Group]) -> Result<String> {
     let mut panels: Vec<(String, Vec<Front>)> = Vec::new();
     for scene in scenes {
         let of_scene = || groups.iter().filter(|group| group.scene == scene);
-        panels.push((scene.into(), of_scene().flat_map(|group| fronts(group, |errors| Some(errors.shown()))).collect()));
+        panels
+            .push((scene.into(), of_scene().flat_map(|group| fronts(group, |errors| Some(errors.shown()))).collect()));
         if scene == "pendulum-flexible" {
             let to_solid = of_scene().flat_map(|group| fronts(group, |errors| errors.solid)).collect();
             panels.push(("pendulum-flexible: distance from the plane solid".into(), to_solid));
@@ -74,7 +75,10 @@ pub fn svg(groups: &[Group]) -> Result<String> {
     canvas::svg("Error against run time", size, |top, body| {
         let key = "lower left is better; marks: runs, in the colour of their method; lines: what no other run beats; pale: the other runs";
         top.draw(&Text::new(key, (20, 6), font(NAME).color(&BLACK)))?;
-        panels.iter().zip(body.split_evenly((rows, columns))).try_for_each(|((title, fronts), area)| panel(&area, title, fronts))
+        panels
+            .iter()
+            .zip(body.split_evenly((rows, columns)))
+            .try_for_each(|((title, fronts), area)| panel(&area, title, fronts))
     })
 }
 
@@ -138,7 +142,10 @@ fn panel(area: &Area, title: &str, fronts: &[Front]) -> Drawn {
         .y_label_formatter(&power_label)
         .draw()?;
     for front in fronts {
-        let off = front.all.iter().filter(|(_, error, point)| *error <= errors.end && !front.on.iter().any(|on| std::ptr::eq(on.2, *point)));
+        let off = front
+            .all
+            .iter()
+            .filter(|(_, error, point)| *error <= errors.end && !front.on.iter().any(|on| std::ptr::eq(on.2, *point)));
         for (time, error, point) in off {
             mark(&mut chart, (*time, error.max(errors.start)), front.shape, colour(point).mix(PALE).filled(), 2)?;
         }
@@ -148,7 +155,9 @@ fn panel(area: &Area, title: &str, fronts: &[Front]) -> Drawn {
         let line: Vec<(f64, f64)> = front.on.iter().map(|(time, error, _)| (*time, error.max(errors.start))).collect();
         match front.shape {
             Shape::Disc => chart.draw_series([PathElement::new(line, BLACK.stroke_width(2))]).map(|_| ())?,
-            Shape::Triangle => chart.draw_series([DashedPathElement::new(line, 6, 3, BLACK.stroke_width(2))]).map(|_| ())?,
+            Shape::Triangle => {
+                chart.draw_series([DashedPathElement::new(line, 6, 3, BLACK.stroke_width(2))]).map(|_| ())?
+            }
             _ => chart.draw_series([PathElement::new(line, GREY.stroke_width(1))]).map(|_| ())?,
         }
         for (time, error, point) in &front.on {
@@ -167,8 +176,12 @@ fn panel(area: &Area, title: &str, fronts: &[Front]) -> Drawn {
     }
     for technique in Technique::of_each_method() {
         let word = technique.method.word();
-        let its = fronts.iter().filter(|front| matches!(front.shape, Shape::Disc | Shape::Triangle)).flat_map(|front| &front.on);
-        let its = its.filter(|(.., point)| point.method == word).map(|(time, error, _)| (*time, error.max(errors.start)));
+        let its = fronts
+            .iter()
+            .filter(|front| matches!(front.shape, Shape::Disc | Shape::Triangle))
+            .flat_map(|front| &front.on);
+        let its =
+            its.filter(|(.., point)| point.method == word).map(|(time, error, _)| (*time, error.max(errors.start)));
         names.write(&mut chart, area, its, word, of_method(technique.method))?;
     }
     Ok(())
@@ -176,17 +189,37 @@ fn panel(area: &Area, title: &str, fronts: &[Front]) -> Drawn {
 
 impl Names {
     /// Writes a name beside the first of these places that has room for it; nowhere if none has.
-    fn write(&self, chart: &mut Chart, area: &Area, places: impl Iterator<Item = (f64, f64)>, name: &str, colour: RGBColor) -> Drawn {
+    fn write(
+        &self,
+        chart: &mut Chart,
+        area: &Area,
+        places: impl Iterator<Item = (f64, f64)>,
+        name: &str,
+        colour: RGBColor,
+    ) -> Drawn {
         let width = (CHARACTER * name.chars().count() as f64) as i32;
         let (columns, rows) = area.get_pixel_range();
         let (columns, rows) = (columns.start + 62..columns.end - 8, rows.start + 28..rows.end - 44);
         for at in places {
             let (x, y) = chart.backend_coord(&at);
-            for (dx, dy) in [(7, -14), (7, 3), (-width - 7, 3), (-width - 7, -14), (7, -28), (-width - 7, 17), (-width / 2, 8), (-width / 2, -20)] {
+            for (dx, dy) in [
+                (7, -14),
+                (7, 3),
+                (-width - 7, 3),
+                (-width - 7, -14),
+                (7, -28),
+                (-width - 7, 17),
+                (-width / 2, 8),
+                (-width / 2, -20),
+            ] {
                 let (across, down) = (x + dx..x + dx + width, y + dy..y + dy + NAME);
-                let inside = columns.contains(&across.start) && across.end <= columns.end && rows.contains(&down.start) && down.end <= rows.end;
+                let inside = columns.contains(&across.start)
+                    && across.end <= columns.end
+                    && rows.contains(&down.start)
+                    && down.end <= rows.end;
                 let overlap = |a: &Range<i32>, b: &Range<i32>| a.start < b.end && b.start < a.end;
-                let free = self.0.borrow().iter().all(|(its, height)| !(overlap(&across, its) && overlap(&down, height)));
+                let free =
+                    self.0.borrow().iter().all(|(its, height)| !(overlap(&across, its) && overlap(&down, height)));
                 if inside && free {
                     let text = Text::new(name.to_string(), (dx, dy), font(NAME).color(&colour));
                     chart.draw_series([EmptyElement::at(at) + text])?;

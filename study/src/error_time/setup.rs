@@ -112,7 +112,9 @@ impl Setup {
         scene.probes = scene.probes.into_iter().map(probe).collect();
         if record != Record::Position && (benchmark.smooth || benchmark.is_static()) {
             let support = scene.supports.first().map(|support| support.point.clone());
-            scene.probes.extend(support.map(|point| Probe { name: SUPPORT.into(), ..point_probe(&point, &[Quantity::Reaction]) }));
+            scene.probes.extend(
+                support.map(|point| Probe { name: SUPPORT.into(), ..point_probe(&point, &[Quantity::Reaction]) }),
+            );
         }
         Ok(scene)
     }

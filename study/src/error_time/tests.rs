@@ -23,8 +23,7 @@ const UNCERTAINTY: f64 = 1e-6;
 
 /// A made-up point that took `time` (s) for an error of `error` (m).
 fn point(time: f64, error: f64) -> Point {
-    let errors =
-        Errors { position: error, time: Some(0.1 * error), space: Some(0.9 * error), ..Errors::default() };
+    let errors = Errors { position: error, time: Some(0.1 * error), space: Some(0.9 * error), ..Errors::default() };
     Point {
         program: OURS.into(),
         scene: "pendulum-flexible".into(),
@@ -173,10 +172,7 @@ fn the_faster_family_is_told_range_by_range() {
     let found = leads(&all);
     let short: Vec<_> = found.iter().map(|lead| (lead.from, lead.to, lead.explicit, lead.ratio)).collect();
     let [a, b, c, d] = [1e-2, 1e-3, 1e-4, 1e-5].map(|error| error + UNCERTAINTY);
-    assert_eq!(
-        short,
-        [(a, a, false, Some([2.0, 2.0])), (b, c, true, Some([2.0, 4.0])), (d, d, true, None)]
-    );
+    assert_eq!(short, [(a, a, false, Some([2.0, 2.0])), (b, c, true, Some([2.0, 4.0])), (d, d, true, None)]);
 }
 
 fn cantilever() -> &'static Benchmark {
@@ -259,7 +255,12 @@ fn a_setup_records_what_it_is_asked_for() {
     assert_eq!((scene.rods[0].elements, scene.rods[0].element, scene.time.step), (3, Element::EulerBernoulli, 5e-4));
     assert_eq!((scene.output.interval, scene.time.method), (Some(0.25), Method::EnergyMomentum));
     let columns = setup.scene(Record::Steps).unwrap().columns();
-    assert!(columns.contains(&"tip.vx".into()) && columns.contains(&"support.rx".into()) && columns.contains(&"energy.balance".into()), "{columns:?}");
+    assert!(
+        columns.contains(&"tip.vx".into())
+            && columns.contains(&"support.rx".into())
+            && columns.contains(&"energy.balance".into()),
+        "{columns:?}"
+    );
     // An explicit method begins at the largest stable step that divides the interval.
     let setup = Setup { technique: Technique::of(Method::Explicit).unwrap(), ..setup };
     let Resolution::Steps(parts) = setup.first_resolution().unwrap() else { panic!("not steps") };
@@ -291,7 +292,8 @@ fn failures_are_points_too() {
     let reference = Reference::embedded(benchmark, Element::Ancf).unwrap();
     let subject = Subject::new(benchmark, Element::Ancf, reference).unwrap();
     let points = subject.points(&Limits { longest_run: 0.005, finest_mesh: 1, finest_static: 1 }, || ()).unwrap();
-    let failures: Vec<_> = points.iter().map(|(_, point)| point).filter(|point| point.status == Status::Failed).collect();
+    let failures: Vec<_> =
+        points.iter().map(|(_, point)| point).filter(|point| point.status == Status::Failed).collect();
     assert!(failures.iter().any(|point| point.reason.contains("collapsed")), "{} failures", failures.len());
     assert!(failures.iter().all(|point| point.errors.is_none() && point.time.is_none() && !point.reason.is_empty()));
 }

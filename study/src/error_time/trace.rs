@@ -29,12 +29,11 @@ impl Trace {
         let at_rest = ancf::run::Simulation::new(scene.clone())?;
         trace.push(0.0, at_rest.position(&point)?, at_rest.velocity(&point)?);
         let mut failure = None;
-        let run = run_with_progress(scene, |simulation| {
-            match (simulation.position(&point), simulation.velocity(&point)) {
+        let run =
+            run_with_progress(scene, |simulation| match (simulation.position(&point), simulation.velocity(&point)) {
                 (Ok(position), Ok(velocity)) => trace.push(simulation.time(), position, velocity),
                 (Err(error), _) | (_, Err(error)) => failure = Some(error),
-            }
-        })?;
+            })?;
         failure.map_or(Ok((trace, run)), |error| Err(error.into()))
     }
 
@@ -113,7 +112,11 @@ mod tests {
             let errors = times.iter().zip(&samples.position).map(|(t, r)| distance(*r, [t.cos(), t.sin()]));
             let (error, exact) = (errors.fold(0.0, f64::max), (steps as f64).powi(-4) / 384.0);
             assert!((error / exact - 1.0).abs() < 0.05, "{steps}: {error:e}, {exact:e}");
-            assert!((trace.interpolation_error() / exact - 1.0).abs() < 0.05, "{steps}: {:e}", trace.interpolation_error());
+            assert!(
+                (trace.interpolation_error() / exact - 1.0).abs() < 0.05,
+                "{steps}: {:e}",
+                trace.interpolation_error()
+            );
             let rates = times.iter().zip(&samples.velocity).map(|(t, v)| distance(*v, [-t.sin(), t.cos()]));
             assert!(rates.fold(0.0, f64::max) < (steps as f64).powi(-3));
         }

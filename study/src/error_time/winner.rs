@@ -34,7 +34,16 @@ pub fn winners(groups: &[Group]) -> Vec<Winner> {
             let ours = point?.clone();
             let bound = ours.bound()?;
             let (theirs, ratio) = (group.peer(below).cloned(), group.ratio(below));
-            Some(Winner { scene: group.scene, element: group.element, below, what: ours.what(), bound, ours, theirs, ratio })
+            Some(Winner {
+                scene: group.scene,
+                element: group.element,
+                below,
+                what: ours.what(),
+                bound,
+                ours,
+                theirs,
+                ratio,
+            })
         });
         found.collect::<Vec<_>>()
     };

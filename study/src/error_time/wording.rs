@@ -61,11 +61,13 @@ pub fn advice(group: &Group) -> Vec<String> {
             (Some(step), None) if point.method == "static" => format!(", \"load_steps\": {:.0}", 1.0 / step),
             (step, None) => step.map_or(String::new(), |step| format!(", \"step\": {step:?}")),
         };
-        let newton = point.newton_tolerance.map_or(String::new(), |newton| format!(", \"newton_tolerance\": {newton:e}"));
+        let newton =
+            point.newton_tolerance.map_or(String::new(), |newton| format!(", \"newton_tolerance\": {newton:e}"));
         let method = &point.method;
         Some(format!(
             "{}, errors below {error:.0e} m: \"elements\": {} in each rod, \"time\": {{\"method\": \"{method}\"{step}{newton}}}",
-            group.name(), point.elements
+            group.name(),
+            point.elements
         ))
     };
     group.decades().into_iter().filter_map(line).collect()

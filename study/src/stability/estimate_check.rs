@@ -4,9 +4,9 @@ use super::prelude::*;
 use crate::error_time::benchmark::Benchmark;
 use crate::error_time::benchmarks::BENCHMARKS;
 use crate::error_time::reference::Reference;
-use crate::path::{Path, column, largest_distance, positions};
 use crate::error_time::setup::{Record, Resolution, Setup};
 use crate::error_time::technique::{Refinement, Technique};
+use crate::path::{Path, column, largest_distance, positions};
 use ancf::run::run_estimated;
 
 pub const CASE: Case = Case {
