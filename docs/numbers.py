@@ -266,7 +266,10 @@ def take(name, folder):
     processors = re.findall(r"^model name\s*: (.*)$", cpus.read_text(encoding="utf-8"), re.MULTILINE) if cpus.exists() else []
     machine = f"{processors[0] if processors else platform.processor()}, {len(processors) or '?'} cores, {platform.system()}"
     made_by = {"command": COMMANDS[name], "commit": commit, "machine": machine}
-    result = made_by | slim(name, json.loads((folder / f"{name}.json").read_text(encoding="utf-8")))
+    result = json.loads((folder / f"{name}.json").read_text(encoding="utf-8"))
+    if name == "error-time":
+        made_by["command"] += " --quick" * result["options"]["quick"] + "".join(f" {scene}" for scene in result["options"]["scenes"])
+    result = made_by | slim(name, result)
     kept(name).write_text(json.dumps(result, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     for picture in PICTURES[name]:
         shutil.copy(folder / picture, PAGES / picture)

@@ -118,7 +118,7 @@ SCENES = {
     "pendulum-flexible": Grid(0.25, SMOOTH + FINEST + BEAMS, SMOOTH_QUICK + BEAM_QUICK),
     "pendulum-2d": Grid(0.25, SUDDEN),
     "pendulum-2d-relaxed": Grid(0.25, SMOOTH),
-    "scissors-3": Grid(0.5, SCISSORS + SCISSORS_BEAMS, SCISSORS_QUICK),
+    "scissors-3": Grid(0.5, SCISSORS + SCISSORS_BEAMS, SCISSORS_QUICK + SCISSORS_BEAMS),
     "scissors-3-thermal": Grid(0.5, SCISSORS_HEATED),
 }
 

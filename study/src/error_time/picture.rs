@@ -171,8 +171,12 @@ fn panel(area: &Area, title: &str, fronts: &[Front]) -> Drawn {
     }
     // The fronts' names first, then each method's at its first mark.
     for front in fronts {
-        let ends = front.on.iter().rev().chain(&front.on).map(|(time, error, _)| (*time, error.max(errors.start)));
-        names.write(&mut chart, area, ends, front.name, BLACK)?;
+        let ends = front.on.iter().map(|(time, error, _)| (*time, error.max(errors.start)));
+        // Ours at the accurate end; another program's, whose front is beyond ours, at the fast one.
+        match front.shape {
+            Shape::Disc | Shape::Triangle => names.write(&mut chart, area, ends.rev(), front.name, BLACK)?,
+            Shape::Square | Shape::Diamond => names.write(&mut chart, area, ends, front.name, BLACK)?,
+        }
     }
     for technique in Technique::of_each_method() {
         let word = technique.method.word();

@@ -77,7 +77,7 @@ pub struct Errors {
     pub time: Option<f64>,
     /// That solution's distance from the reference, m.
     pub space: Option<f64>,
-    /// Distance of the run from a plane solid, m, at its instants: what the theory leaves is in it, too.
+    /// Distance of the run from a plane solid, m, at its instants, and at least that of the theory's own solution.
     pub solid: Option<f64>,
 }
 
