@@ -135,15 +135,16 @@ def seconds(time):
 
 def how(point):
     """Method, mesh, step and tolerances of a run."""
-    step = f"{power(point['tolerance'])} m" if point["tolerance"] else f"{power(1 / point['step'])} load steps" if point["method"] == "static" \
+    step = f"{label(point['tolerance'])} m" if point["tolerance"] else f"{power(1 / point['step'])} load steps" if point["method"] == "static" \
         else f"{power(point['step'])} s"
-    newton = f", Newton {power(point['newton_tolerance'], 0)}" if point["newton_tolerance"] else ""
+    newton = f", Newton {label(point['newton_tolerance'])}" if point["newton_tolerance"] else ""
     return f"{point['method']}, {point['elements']}, {step}{newton}"
 
 
 def label(below):
-    """A decade."""
-    return power(below, 0).removeprefix("1·")
+    """A power of ten, or another number with one digit."""
+    mantissa, exponent = f"{below:.0e}".split("e")
+    return f"{mantissa}·10".removeprefix("1·") + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
 def quartiles(ratio):
@@ -202,7 +203,7 @@ def made_error_time(result):
     times = [point["time"] for winner in result["winners"] for point in (winner["ours"], winner["theirs"]) if point]
     disturbed, runs = (sum(time[key] for time in times) for key in ("disturbed", "runs"))
     return (f"{made(result)} {result['peer']} All of it took {result['wall_seconds'] / 60:.0f} minutes; of {runs} runs in these tables {disturbed} "
-            f"({100 * disturbed / runs:.0f} %) were disturbed each of four times, and count all the same.")
+            f"({100 * disturbed / runs:.0f} %) were disturbed in every attempt, and count all the same.")
 
 
 def performance(result):
@@ -268,6 +269,7 @@ def take(name, folder):
     made_by = {"command": COMMANDS[name], "commit": commit, "machine": machine}
     result = json.loads((folder / f"{name}.json").read_text(encoding="utf-8"))
     if name == "error-time":
+        made_by["commit"] = (result["machine"]["commit"] or "unknown")[:7]
         made_by["command"] += " --quick" * result["options"]["quick"] + "".join(f" {scene}" for scene in result["options"]["scenes"])
     result = made_by | slim(name, result)
     kept(name).write_text(json.dumps(result, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
