@@ -71,14 +71,18 @@ pub const BENCHMARKS: [Benchmark; 6] = [
     },
 ];
 
+/// The benchmarks that have references for both elements.
+pub fn complete() -> impl Iterator<Item = &'static Benchmark> {
+    BENCHMARKS.iter().filter(|benchmark| ELEMENTS.iter().all(|e| Reference::is_embedded(benchmark, *e)))
+}
+
 /// The benchmarks of these scenes; all that have references for both elements if none is named.
 ///
 /// # Errors
 /// [`Error::Name`] for a scene that is not in the study.
 pub fn named(scenes: &[String]) -> Result<Vec<&'static Benchmark>> {
     if scenes.is_empty() {
-        let complete = |benchmark: &&Benchmark| ELEMENTS.iter().all(|e| Reference::is_embedded(benchmark, *e));
-        return Ok(BENCHMARKS.iter().filter(complete).collect());
+        return Ok(complete().collect());
     }
     scenes.iter().map(|name| of(name)).collect()
 }
