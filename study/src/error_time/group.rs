@@ -95,7 +95,7 @@ impl Group {
     /// Takes the other program's points that this element is compared with: those of its own theory, or all where there are none.
     pub fn compare(&mut self, peers: &[Point]) {
         let own: Vec<Point> =
-            peers.iter().filter(|peer| peer.has_shear == !self.is_euler_bernoulli()).cloned().collect();
+            peers.iter().filter(|peer| peer.has_shear != self.is_euler_bernoulli()).cloned().collect();
         self.same_theory = !own.is_empty();
         self.peers = if own.is_empty() { peers.to_vec() } else { own };
     }
