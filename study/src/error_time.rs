@@ -133,8 +133,8 @@ fn measure(options: &Options, print: impl Fn(&str) -> Result<()>) -> Result<Erro
         }
     }
     bar.finish_and_clear();
-    let economies = if own { Vec::new() } else { economies::measure()? };
-    if !own {
+    let economies = if own || options.quick { Vec::new() } else { economies::measure()? };
+    if !economies.is_empty() {
         print(&format!(
             "Economies, each left out where a scene does not need it:\n{}\n",
             tables::economies(&economies).text()
