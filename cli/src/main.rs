@@ -69,15 +69,15 @@ enum Command {
     /// Error against run time: every method, mesh and step, beside converged references; writes error-time.csv, .json, .svg
     /// and .html.
     ErrorTime {
-        /// Scenes of the study; all of them if none is named.
+        /// Scenes of the study, or scene files of your own: for these a reference is computed first. All of the study if none is
+        /// named.
         #[arg(value_name = "SCENE")]
         scenes: Vec<String>,
         #[command(flatten)]
         out: Out,
-        /// Runs of another program, as `python -m oracle.peers` writes them [default: peers.csv in the folder of --out, if it
-        /// is there].
-        #[arg(long, value_name = "FILE")]
-        peers: Option<PathBuf>,
+        /// Command of another program that runs the same scenes, in turns with this one on the same core: "python -m oracle.peers".
+        #[arg(long, value_name = "COMMAND")]
+        peer: Option<String>,
         /// Write the converged references of the scenes instead, into DIR or fixtures/converged.
         #[arg(long, value_name = "DIR", num_args = 0..=1, require_equals = true, default_missing_value = "fixtures/converged")]
         references: Option<PathBuf>,
@@ -218,8 +218,8 @@ fn main() -> ExitCode {
             run_scene(scene, options, *summary_line, scissors, &out.folder)
         }
         Some(Command::ErrorTime { scenes, references: Some(folder), .. }) => write_references(scenes, folder),
-        Some(Command::ErrorTime { scenes, out, peers, quick, .. }) => {
-            let options = error_time::Options { scenes: scenes.clone(), peers: peers.clone(), quick: *quick };
+        Some(Command::ErrorTime { scenes, out, peer, quick, .. }) => {
+            let options = error_time::Options { scenes: scenes.clone(), peer: peer.clone(), quick: *quick };
             error_time::study(&options, &out.folder, print).map_err(Error::from)
         }
         Some(Command::Equations { state }) => print_equations(state),

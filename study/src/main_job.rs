@@ -124,7 +124,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
 
     // On an idle machine: it measures times.
     let options = error_time::Options { quick: true, ..Default::default() };
-    let (error_time, error_time_picture) = error_time::part(&options, out, &mut files, |_| Ok(()))?;
+    let (error_time, error_time_picture) = error_time::part(&options, &mut files, |_| Ok(()))?;
 
     let compared = oracle.iter().chain(&continuum).chain(&structures);
     let failed = compared.filter(|row| !row.holds()).map(ToString::to_string);
