@@ -24,7 +24,8 @@ html_css_files = ["katex.min.css", "book.css"]
 html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "katex"
-pygments_style, pygments_dark_style = "friendly", "github-dark"
+# Colours of code with the contrast that small text needs.
+pygments_style, pygments_dark_style = "a11y-high-contrast-light", "a11y-high-contrast-dark"
 
 
 class Typesetter:
