@@ -21,6 +21,8 @@ html_theme = "furo"
 html_title = "ancf"
 html_static_path = [str(Path(__file__).parent / "static"), str(KATEX.parents[1] / "css")]
 html_css_files = ["katex.min.css", "book.css"]
+# Browsers ask for an icon; without one that is a fault on their console.
+html_favicon = str(Path(__file__).parent / "static/icon.svg")
 html_copy_source = False
 html_show_sphinx = False
 html_math_renderer = "katex"
