@@ -11,6 +11,7 @@ import functools
 import http.server
 import re
 import sys
+import tempfile
 import threading
 from pathlib import Path
 
@@ -55,6 +56,21 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
     def log_message(self, *_) -> None:
         pass
+
+
+class Server:
+    """A static server of a folder, while it is needed. Gives its address."""
+
+    def __init__(self, folder: Path) -> None:
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(folder)))
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+
+    def __enter__(self) -> str:
+        return f"http://127.0.0.1:{self.server.server_port}/"
+
+    def __exit__(self, *_) -> None:
+        self.server.shutdown()
+        self.server.server_close()
 
 
 def check_quiet(browser: Browser, base: str, page: str) -> None:
@@ -128,6 +144,22 @@ def check_keyboard(browser: Browser, base: str) -> None:
     assert browser.run("[...document.querySelectorAll('.formula')].every((formula) => formula.tabIndex === 0)"), "a wide formula cannot be moved by keys"
 
 
+def check_that_faults_are_found(browser: Browser) -> None:
+    """A page with a fault does not pass; the same without does."""
+    faults = ("<script>console.error('wrong')</script>", "<img src='http://127.0.0.1:9/a.png'>", "<p style='width: 400px'>wide</p>",
+              "<span class='katex-error'>x</span>", "<p style='color: #bbb'>pale</p>")
+    with tempfile.TemporaryDirectory() as folder, Server(Path(folder)) as base:
+        for fault in ("", *faults):
+            (Path(folder) / "page.html").write_text(f"<!doctype html><link rel='icon' href='data:,'><article><p>Text</p>{fault}</article>", encoding="utf-8")
+            try:
+                check_page(browser, base, "page")
+                assert browser.run(LEAST_CONTRAST)[0] >= CONTRAST
+            except AssertionError:
+                assert fault, "a page without a fault does not pass"
+            else:
+                assert not fault, f"not noticed: {fault}"
+
+
 def take_pictures(browser: Browser, base: str, folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     for page in (*SAMPLES, "first-picture"):
@@ -148,10 +180,7 @@ def main() -> None:
         print("there is no Chromium")
         sys.exit(77)
     site = arguments.site.resolve()
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site)))
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    base = f"http://127.0.0.1:{server.server_port}/"
-    with Browser(path) as browser:
+    with Browser(path) as browser, Server(site) as base:
         if arguments.pictures:
             take_pictures(browser, base, arguments.pictures)
         browser.screen(PHONE, 740)
@@ -161,6 +190,8 @@ def main() -> None:
         check_search(browser, base)
         check_keyboard(browser, base)
         least = check_colours(browser, base)
+        browser.screen(PHONE, 740)
+        check_that_faults_are_found(browser)
     print(f"{len(pages)} pages, {sum(formulas.values())} formulas, least contrast {least:.1f}")
 
 

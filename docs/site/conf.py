@@ -6,6 +6,7 @@ import subprocess
 from pathlib import Path
 
 from docutils import nodes
+from sphinx.errors import SphinxError
 
 KATEX = Path(os.environ["BOOK_KATEX"]) / "node_modules" / "katex"
 
@@ -42,7 +43,7 @@ class Typesetter:
         self.process.stdin.flush()
         answer = json.loads(self.process.stdout.readline())
         if "error" in answer:
-            raise ValueError(f"KaTeX does not read {tex!r}: {answer['error']}")
+            raise SphinxError(f"KaTeX does not read {tex!r}: {answer['error']}")
         return answer["html"]
 
 
