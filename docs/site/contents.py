@@ -3,6 +3,7 @@
 PARTS = [
     ("Start", [
         ("first-picture", "docs/first-picture.md"),
+        ("scenes", "scenes/README.md"),
     ]),
     ("Tutorials", [
         ("tutorials/two-rods", "docs/tutorials/two-rods.md"),
