@@ -149,10 +149,11 @@ def check_that_faults_are_found(browser: Browser) -> None:
     faults = ("<script>console.error('wrong')</script>", "<img src='http://127.0.0.1:9/a.png'>", "<p style='width: 400px'>wide</p>",
               "<span class='katex-error'>x</span>", "<p style='color: #bbb'>pale</p>")
     with tempfile.TemporaryDirectory() as folder, Server(Path(folder)) as base:
-        for fault in ("", *faults):
-            (Path(folder) / "page.html").write_text(f"<!doctype html><link rel='icon' href='data:,'><article><p>Text</p>{fault}</article>", encoding="utf-8")
+        # A name of its own for each: the browser keeps a page of the same second.
+        for number, fault in enumerate(("", *faults)):
+            (Path(folder) / f"page{number}.html").write_text(f"<!doctype html><link rel='icon' href='data:,'><article><p>Text</p>{fault}</article>", encoding="utf-8")
             try:
-                check_page(browser, base, "page")
+                check_page(browser, base, f"page{number}")
                 assert browser.run(LEAST_CONTRAST)[0] >= CONTRAST
             except AssertionError:
                 assert fault, "a page without a fault does not pass"

@@ -25,7 +25,8 @@ from fences import FENCE
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
-PAGES = [DOCS / "first-picture.md", *sorted((DOCS / "tutorials").glob("*.md")), DOCS / "accuracy.md", ROOT / "scenes/README.md"]
+PAGES = [DOCS / "first-picture.md", *sorted((DOCS / "tutorials").glob("*.md")), ROOT / "scenes/README.md",
+         *(DOCS / f"{name}.md" for name in ("simulate", "accuracy", "many-runs"))]
 MOST_WORDS = 400
 SECONDS = 300
 TIME = re.compile(r"\b\d+(\.\d+)? (s|ms|min)$", re.M)

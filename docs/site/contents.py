@@ -49,3 +49,15 @@ PARTS = [
 
 #: Pages of the repository whose place in the book is the first page.
 FRONT = ("README.md", "docs/README.md", "docs/site/front.md")
+
+#: What the contents call a page, where its own title says too little there.
+TITLES = {
+    "derivation": "The derivation, (A.1) to (23)",
+    "equations": "Equations, errors E1–E5, choices M1–M8",
+    "fixtures": "Fixtures: numbers to check against",
+    "pytest": "Fixtures in Python, with pytest",
+    "wheel": "The program as a wheel",
+    "paper": "Sections 3 and 4, measured",
+    "evidence": "Evidence",
+    "fixtures-changelog": "Changelog of the fixtures",
+}

@@ -13,7 +13,7 @@ import sys
 import tomllib
 from pathlib import Path
 
-from contents import FRONT, PARTS
+from contents import FRONT, PARTS, TITLES
 from fences import FENCE
 from stability import case_pages
 
@@ -106,6 +106,8 @@ class Staging:
             for place, source in part:
                 text = self.convert((ROOT / source).read_text(encoding="utf-8"), source, place)
                 if place == "stability":
+                    for name in cases:
+                        text = text.replace(f"| `{name}` |", f"| [`{name}`](stability/{name}.md) |")
                     text += "\n## Case by case\n\n" + toctree([f"stability/{name}" for name in cases], "")
                 self.write(place, text)
         for name, text in cases.items():
@@ -117,7 +119,8 @@ class Staging:
 def toctree(pages: list[str], title: str) -> str:
     """A list of pages, for Sphinx."""
     options = f":caption: {title}\n:hidden:\n" if title else ":maxdepth: 1\n"
-    return "\n```{toctree}\n" + options + "\n" + "\n".join(pages) + "\n```\n"
+    lines = [f"{TITLES[page]} <{page}>" if page in TITLES else page for page in pages]
+    return "\n```{toctree}\n" + options + "\n" + "\n".join(lines) + "\n```\n"
 
 
 if __name__ == "__main__":
