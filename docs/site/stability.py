@@ -39,10 +39,9 @@ def sentence(text: str) -> str:
 def case_page(name: str, case: dict, texts: dict[str, str]) -> str:
     """Markdown of a case."""
     counts = case["counts"]
-    lines = [f"# {name}", "", f"Swept: {case['parameter']}. The error is in {case['unit']}.", "",
-             f"**Reference.** {sentence(case['reference'])}", ""]
-    if "right" in texts:
-        lines += [f"**Right.** {sentence(texts['right'])}", ""]
+    lines = [f"# {name}", "", f"Swept: {case['parameter']}. Unit of the error: {case['unit']}.", "",
+             f"**Reference.** {sentence(case['reference'])}", "",
+             f"**Right.** {sentence(texts['right'])}", ""]
     lines += ["| verdict | rows | values of the parameter |", "|---|---|---|"]
     for verdict in ("right", "right with warning", "refused", "WRONG"):
         values = ", ".join(map(number, case["values"].get(verdict, []))) or "–"
@@ -53,8 +52,7 @@ def case_page(name: str, case: dict, texts: dict[str, str]) -> str:
     if nearest:
         lines += [f"The error nearest to its bound: {number(nearest['error'])} of {number(nearest['bound'])} {case['unit']} "
                   f"({nearest['variant']}, at {number(nearest['value'])}).", ""]
-    source = f" Its source is `study/src/stability/{texts['file']}`." if "file" in texts else ""
-    lines += [f"`ancf stability` writes every row of it into `out/stability.html`.{source} [All cases](../stability.md)."]
+    lines += [f"`ancf stability` writes every row of it into `out/stability.html`. Its source is `study/src/stability/{texts['file']}`. [All cases](../stability.md)."]
     return "\n".join(lines) + "\n"
 
 
@@ -62,4 +60,8 @@ def case_pages(root: Path) -> dict[str, str]:
     """Pages of all cases by name."""
     results = json.loads((root / "docs/results/stability.json").read_text(encoding="utf-8"))
     texts = derivations(root / "study/src/stability")
-    return {name: case_page(name, case, texts.get(name, {})) for name, case in results["cases"].items()}
+    for name in results["cases"]:
+        if not texts.get(name, {}).get("right"):
+            raise SystemExit(f"docs/results/stability.json has the case {name}, study/src/stability/ has none with `right` of that name; "
+                             "run `ancf stability`, then python3 docs/numbers.py --take stability out")
+    return {name: case_page(name, case, texts[name]) for name, case in results["cases"].items()}
