@@ -147,7 +147,7 @@ def stability_counts(result):
     """Rows of the stability table by case and verdict."""
     verdicts = ("right", "right with warning", "refused", "WRONG")
     rows = [[name, *(str(case["counts"][verdict]) for verdict in verdicts), str(case["counts"]["~"])] for name, case in result["cases"].items()]
-    total = ["together", *(str(sum(int(row[n]) for row in rows)) for n in range(1, 6))]
+    total = ["**total**", *(str(sum(int(row[n]) for row in rows)) for n in range(1, 6))]
     return table(["case", *verdicts, "~"], [*rows, total]) + f"\n\n{made(result)}"
 
 

@@ -15,6 +15,7 @@ use ancf_study::{error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{CommandFactory, Parser, Subcommand};
 
+use ancf_cli::cost::cost_text;
 use ancf_cli::error::{Error, Result};
 use ancf_cli::options::Options;
 use ancf_cli::summary::refused_line;
@@ -101,6 +102,9 @@ enum Command {
     Plan {
         #[command(flatten)]
         scene: SceneArguments,
+        /// Make steps for half a second, and say how long the run will take and how much memory.
+        #[arg(long)]
+        cost: bool,
         #[command(flatten)]
         scissors: ScissorsOptions,
     },
@@ -110,7 +114,7 @@ enum Command {
         /// a stored one, also of a case of fixtures/structure.json (cable- stands before the names of fixtures/cable.json).
         state: String,
     },
-    /// Compare two runs column by column: by how much they differ, and where. Exit code 1 if by more than --within.
+    /// Compare two runs column by column: by how much they differ, and where.
     Compare(Compare),
     /// Test another implementation: which equation is wrong, and what kind of mistake fits; writes conformance.json and
     /// conformance.md.
@@ -149,9 +153,12 @@ struct Compare {
     a: PathBuf,
     /// Folder of the other run, or its trajectory.csv.
     b: PathBuf,
-    /// Largest difference that counts as agreement, over the largest value in the column.
-    #[arg(long, value_name = "PART", default_value_t = 1e-9, value_parser = part)]
-    within: f64,
+    /// Fail where a column differs by more than this part of its largest value; energies by that of the largest energy.
+    #[arg(long, value_name = "PART", value_parser = part)]
+    within: Option<f64>,
+    /// Compare these columns only.
+    #[arg(long, value_name = "COLUMN", value_delimiter = ',')]
+    columns: Vec<String>,
 }
 
 /// Reads a part, 0 or more.
@@ -219,8 +226,8 @@ fn main() -> ExitCode {
         Some(Command::Conform(arguments)) => conform::conform(arguments),
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
         Some(Command::Readings { out }) => ancf_study::readings(&out.folder, print).map_err(Error::from),
-        Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
-        Some(Command::Compare(Compare { a, b, within })) => compare_runs(a, b, *within),
+        Some(Command::Plan { scene, cost, scissors }) => print_plan(scene, *cost, scissors),
+        Some(Command::Compare(arguments)) => compare_runs(arguments),
         Some(Command::Completions { shell }) => {
             clap_complete::generate(*shell, &mut Cli::command(), "ancf", &mut io::stdout());
             Ok(())
@@ -262,10 +269,11 @@ fn run_scene(
 }
 
 /// `ancf compare`.
-fn compare_runs(a: &Path, b: &Path, within: f64) -> Result<()> {
-    let comparison = compare::compare(a, b)?;
-    print(&comparison.text(within))?;
-    comparison.judge(within)
+fn compare_runs(arguments: &Compare) -> Result<()> {
+    let Compare { a, b, within, columns } = arguments;
+    let comparison = compare::compare(a, b, columns)?;
+    print(&comparison.text(*within))?;
+    within.map_or(Ok(()), |within| comparison.judge(within))
 }
 
 /// The model of a scene, with the changes that options ask for.
@@ -283,9 +291,10 @@ fn print_equations(state: &str) -> Result<()> {
 }
 
 /// `ancf plan`.
-fn print_plan(scene: &SceneArguments, options: &ScissorsOptions) -> Result<()> {
+fn print_plan(scene: &SceneArguments, cost: bool, options: &ScissorsOptions) -> Result<()> {
     let model = load(scene, options)?;
-    Ok(print(&report::plan_text(model.scene()))?)
+    let cost = if cost { cost_text(&model)? } else { String::new() };
+    Ok(print(&(report::plan_text(model.scene()) + &cost))?)
 }
 
 /// `ancf error-time --references`.
