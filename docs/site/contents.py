@@ -44,6 +44,7 @@ PARTS = [
         ("fixtures-changelog", "fixtures/CHANGELOG.md"),
         ("changelog", "CHANGELOG.md"),
         ("contributing", "CONTRIBUTING.md"),
+        ("release", "docs/release.md"),
     ]),
 ]
 
