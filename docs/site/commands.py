@@ -59,7 +59,7 @@ class Page:
         self.work = folder / "work"
         self.work.mkdir()
         (self.work / "ancf").symlink_to(ROOT)
-        self.environment = os.environ | {"PATH": f"{tools}:{os.environ['PATH']}", "HOME": os.environ.get("HOME", str(folder))}
+        self.environment = os.environ | {"PATH": f"{tools}:{os.environ['PATH']}"}
 
     def wrong(self, message: str) -> SystemExit:
         return SystemExit(f"{self.name}: {message}")
