@@ -144,9 +144,9 @@ impl SectionLaw {
             g: [self.shear[0] * g[0], self.shear[1] * g[1]],
         };
         if let Some([on_axis, across]) = self.coupling {
-            N.a[0] = N.a[0] + on_axis * c;
-            N.a[2] = N.a[2] + across * c;
-            N.c = N.c + on_axis * a[0] + across * a[2];
+            N.a[0] += on_axis * c;
+            N.a[2] += across * c;
+            N.c += on_axis * a[0] + across * a[2];
         }
         N
     }
