@@ -70,7 +70,8 @@ class Reference:
         inner = field.get("items", field)
         if "$ref" not in inner:
             return []
-        return self.definitions[inner["$ref"].removeprefix("#/$defs/")].get("oneOf", [])
+        # Of an object `oneOf` says which keys go together.
+        return [word for word in self.definitions[inner["$ref"].removeprefix("#/$defs/")].get("oneOf", []) if "const" in word]
 
     def allowed(self, field: dict) -> str:
         limits = [f"≥ {field['minimum']}"] if "minimum" in field else []
@@ -92,6 +93,8 @@ class Reference:
             if words := self.words(field):
                 explained += ["", f"`{name}` is one of:" if field.get("type") != "array" else f"`{name}` lists any of:", ""]
                 explained += [f"* {code(word['const'])}: {word['description']}" for word in words]
+        if together := [" and ".join(code(key) for key in choice["required"]) for choice in definition.get("oneOf", []) if "required" in choice]:
+            explained += ["", f"Required: {', or '.join(together)}."]
         return lines + explained
 
     def page(self) -> str:

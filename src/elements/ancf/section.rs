@@ -146,7 +146,7 @@ impl SectionLaw {
         if let Some([on_axis, across]) = self.coupling {
             N.a[0] += on_axis * c;
             N.a[2] += across * c;
-            N.c = N.c + on_axis * a[0] + across * a[2];
+            N.c += on_axis * a[0] + across * a[2];
         }
         N
     }

@@ -16,8 +16,12 @@ pub(super) fn inverse(pivot: f64, vector: usize) -> Result<f64, SingularAt> {
     if pivot > 0.0 && pivot.is_finite() { Ok(1.0 / pivot) } else { Err(SingularAt(vector)) }
 }
 
-/// Inverse of a symmetric matrix \[a b; b d\] of the vectors `vector` and the next: its own a, b and d. By pivots, so that no product
-/// of two masses leaves the range of numbers.
+/// Power of two that takes a mass near 1. Masses are factorised times it, so that only an inverse can leave the range of numbers.
+pub(super) fn scale_of(mass: f64) -> f64 {
+    if mass > 0.0 && mass.is_finite() { (-mass.log2().floor()).min(1023.0).exp2() } else { 1.0 }
+}
+
+/// Inverse of a symmetric matrix \[a b; b d\] of the vectors `vector` and the next: its own a, b and d.
 pub(super) fn inverse_of_two([a, b, d]: [f64; 3], vector: usize) -> Result<[f64; 3], SingularAt> {
     let own_a = inverse(a, vector)?;
     let multiplier = b * own_a;

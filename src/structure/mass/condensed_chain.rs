@@ -22,7 +22,7 @@
 //!
 //! A vector that is not free, being held or shared, takes no part: its entries of A⁻¹, G and T⁻¹ are 0, and it is not written.
 
-use super::chain::{MassChain, inverse, inverse_of_two, is_free};
+use super::chain::{MassChain, inverse, inverse_of_two, is_free, scale_of};
 use crate::lanes::{LANES, Lanes, Path, Task, for_lanes};
 use crate::linear::SingularAt;
 use crate::structure::node_dofs::NodeDofs;
@@ -88,6 +88,8 @@ impl CondensedChain {
         path: Path,
     ) -> Result<CondensedChain, SingularAt> {
         let elements = (free.len() - 2) / STRIDE;
+        let scale = scale_of(entry(0, 0));
+        let entry = |row: usize, column: usize| scale * entry(row, column);
         let mut chain = CondensedChain {
             rows: Row::of(free),
             interiors: vec![Interior::default(); elements.div_ceil(LANES)],
@@ -109,9 +111,9 @@ impl CondensedChain {
             };
             let own_d = if on_d { inverse(entry(4, 4), first + 4)? } else { 0.0 };
             for (n, own) in [own_j, own_x, beside].into_iter().enumerate() {
-                interior.inverse[n][lane] = own;
+                interior.inverse[n][lane] = scale * own;
             }
-            interior.inverse_d[lane] = own_d;
+            interior.inverse_d[lane] = scale * own_d;
             let mut g = [[0.0; 2]; 3];
             for (end, [position, director]) in [[0, 1], [5, 6]].into_iter().enumerate() {
                 let (from_j, from_x) = (entry(2, position), entry(3, position));
@@ -130,18 +132,18 @@ impl CondensedChain {
             let s_d = |a: usize, b: usize| entry(directors[a], directors[b]) - entry(directors[a], 4) * g[2][b];
             r.pass([s(0, 0), s(1, 0), s(1, 1)], is_free(&free[first]), first)?;
             d.pass([s_d(0, 0), s_d(1, 0), s_d(1, 1)], is_free(&free[first + 1]), first + 1)?;
-            chain.push(&r, &d);
+            chain.push(scale, &r, &d);
         }
         let first = elements * STRIDE;
         r.pass([0.0; 3], is_free(&free[first]), first)?;
         d.pass([0.0; 3], is_free(&free[first + 1]), first + 1)?;
-        chain.push(&r, &d);
+        chain.push(scale, &r, &d);
         Ok(chain)
     }
 
-    fn push(&mut self, r: &Pivot, d: &Pivot) {
+    fn push(&mut self, scale: f64, r: &Pivot, d: &Pivot) {
         let row = |r: f64, d: f64| [r, r, d, d];
-        self.nodes.push(Node { inverse: row(r.inverse, d.inverse), next: row(r.next, d.next) });
+        self.nodes.push(Node { inverse: row(scale * r.inverse, scale * d.inverse), next: row(r.next, d.next) });
     }
 }
 

@@ -11,7 +11,7 @@
 //! M = L T Lᵀ with W = S T⁻¹ below the diagonal: y = f − W y(before), then a = T⁻¹ y − Wᵀ a(after). A vector that is not free, being
 //! held or shared, takes no part: its entries of T⁻¹ are 0, and it is not written.
 
-use super::chain::{MassChain, inverse, inverse_of_two, is_free};
+use super::chain::{MassChain, inverse, inverse_of_two, is_free, scale_of};
 use crate::lanes::{LANES, Lanes, Path, Task, for_lanes};
 use crate::linear::SingularAt;
 use crate::structure::node_dofs::NodeDofs;
@@ -59,6 +59,8 @@ impl Block {
 impl NodeChain {
     pub fn new(free: &[NodeDofs], entry: impl Fn(usize, usize) -> f64, path: Path) -> Result<NodeChain, SingularAt> {
         let elements = free.len() / 2 - 1;
+        let scale = scale_of(entry(0, 0));
+        let entry = |row: usize, column: usize| scale * entry(row, column);
         let mut nodes = Vec::with_capacity(elements + 1);
         let block = |row: usize, column: usize| [0, 1].map(|a| [0, 1].map(|b| entry(row + a, column + b)));
         // What elements before left on the node.
@@ -72,7 +74,7 @@ impl NodeChain {
             let next = if is_last { [[0.0; 2]; 2] } else { times(block(2, 0), inverse).map(|row| row.map(|w| -w)) };
             left = sum(block(2, 2), times(next, block(0, 2)));
             nodes.push(Node {
-                inverse: Block::of(inverse),
+                inverse: Block::of(inverse.map(|row| row.map(|entry| scale * entry))),
                 next: Block::of(next),
                 next_transposed: Block::of([[next[0][0], next[1][0]], [next[0][1], next[1][1]]]),
             });
