@@ -62,6 +62,15 @@ fn parts_and_steps(
     let (u, thermal) = (structure.start(), structure.thermal_strains(0.0));
     let mut sum = DVector::zeros(structure.size());
     group.bench_function("elastic force", |b| b.iter(|| structure.force(black_box(u), &thermal, &mut sum)));
+    group.bench_function("inertia", |b| b.iter(|| structure.inertia_into(black_box(u), &mut sum)));
+    let (weight, mut a) = (structure.load(0.0), DVector::zeros(structure.size()));
+    let mut mass_factors = structure.factorize_mass().expect("the scenes have masses");
+    group.bench_function("mass solve", |b| {
+        b.iter(|| {
+            a.copy_from(&weight);
+            mass_factors.solve(black_box(&mut a));
+        })
+    });
     // Generalized-α's with ρ∞ = 0.9.
     let (stiffness, mass) = (1.0 / 1.9, 1.1 / 1.9 * 4.0 * (1.9 / 2.0_f64).powi(2) / steps[0].powi(2));
     let mut factors = structure.factors();

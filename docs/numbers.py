@@ -1,7 +1,7 @@
 """Numbers and pictures of the pages, from results of runs: nobody copies them by hand.
 
     python3 docs/numbers.py --take main out            # keeps the results of `ancf` that are in out/, with their pictures
-    python3 docs/numbers.py --take stability out       # keeps those of `ancf stability`
+    python3 docs/numbers.py --take stability out       # keeps those of `ancf stability`; `error-time` and `readings` likewise
     python3 docs/numbers.py --take evidence measured   # keeps what tests wrote into the file that ANCF_MEASURED named
     python3 docs/numbers.py                            # writes the blocks of the pages from docs/results/
     python3 docs/numbers.py --check [--run main out]   # compares the pages with docs/results/, and those with a new run
@@ -20,7 +20,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-PAGES = Path(__file__).parent
+PAGES = Path(__file__).resolve().parent
 ROOT = PAGES.parent
 RESULTS = PAGES / "results"
 COMMANDS = {
@@ -28,10 +28,12 @@ COMMANDS = {
     "readings": "cargo run --release -- readings",
     "stability": "cargo run --release -- stability",
     "evidence": "cargo test",
+    "error-time": 'cargo run --release -- error-time --peer "peers/bin/python -m oracle.peers"',
 }
 # The main job reads this one.
 READINGS = ROOT / "study" / "readings.json"
-PICTURES = {"readings": (), "main": ("figure3.svg", "figure4.svg", "figure7.svg", "figure8-y.svg", "structure.svg", "deployment.svg"), "stability": ("stability.svg",), "evidence": ()}
+PICTURES = {"readings": (), "main": ("figure3.svg", "figure4.svg", "figure7.svg", "figure8-y.svg", "structure.svg", "deployment.svg"), "stability": ("stability.svg",),
+            "error-time": ("error-time.svg",), "evidence": ()}
 # A rerun on another machine may differ by roundings, which some of these runs amplify.
 AGREES = 1e-3
 # What tests measure is rounding in part, and that differs by a factor from one processor to another.
@@ -147,7 +149,7 @@ def stability_counts(result):
     """Rows of the stability table by case and verdict."""
     verdicts = ("right", "right with warning", "refused", "WRONG")
     rows = [[name, *(str(case["counts"][verdict]) for verdict in verdicts), str(case["counts"]["~"])] for name, case in result["cases"].items()]
-    total = ["together", *(str(sum(int(row[n]) for row in rows)) for n in range(1, 6))]
+    total = ["**total**", *(str(sum(int(row[n]) for row in rows)) for n in range(1, 6))]
     return table(["case", *verdicts, "~"], [*rows, total]) + f"\n\n{made(result)}"
 
 
@@ -170,6 +172,98 @@ def stability_cases(result):
     return table(["case", "error, from", "swept", "right", "with a warning", "refused", "the error nearest to its bound"], rows)
 
 
+def seconds(time):
+    """A time with its unit, two or three digits."""
+    for unit, factor in (("µs", 1e6), ("ms", 1e3)):
+        if time * factor < 1000:
+            return f"{time * factor:.3g} {unit}"
+    return f"{time:.3g} s"
+
+
+def how(point):
+    """Method, mesh, step and tolerances of a run."""
+    step = f"{label(point['tolerance'])} m" if point["tolerance"] else f"{power(1 / point['step'])} load steps" if point["method"] == "static" \
+        else f"{power(point['step'])} s"
+    newton = f", Newton {label(point['newton_tolerance'])}" if point["newton_tolerance"] else ""
+    return f"{point['method']}, {point['elements']}, {step}{newton}"
+
+
+def label(below):
+    """A power of ten, or another number with one digit."""
+    mantissa, exponent = f"{below:.0e}".split("e")
+    return f"{mantissa}·10".removeprefix("1·") + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def quartiles(ratio):
+    """A ratio with its quartiles."""
+    return f"{ratio['ratio']:.1f} ({ratio['least']:.1f} … {ratio['most']:.1f})" if ratio else "–"
+
+
+def fastest(result, element):
+    """The fastest runs with an element, beside another program's."""
+    rows = []
+    for winner in result["winners"]:
+        if winner["element"] == element:
+            ours, theirs = winner["ours"], winner["theirs"]
+            other = [f"{seconds(theirs['time']['median'])}: {theirs['element']}, {how(theirs)}", quartiles(winner["ratio"])] if theirs else ["–", "–"]
+            rows.append([f"`{winner['scene']}`", f"{label(winner['below'])} m", f"{seconds(ours['time']['median'])}: {how(ours)}",
+                         power(winner["bound"]), *other])
+    return table(["scene", "error below", "ours: method, elements, step", "its bound, m", "Exudyn", "ratio"], rows)
+
+
+def fastest_cable(result):
+    """Without shear."""
+    return fastest(result, "euler-bernoulli")
+
+
+def fastest_shear(result):
+    """With shear."""
+    return fastest(result, "ancf")
+
+
+def parts(result):
+    """Where errors come from, for the most accurate run of each scene and element."""
+    number = lambda value: "–" if value is None else power(value)
+    rows = []
+    for group in result["groups"]:
+        its = [w for w in result["winners"] if (w["scene"], w["element"]) == (group["scene"], group["element"])]
+        errors = its[-1]["ours"]["errors"] if its else {}
+        reference, model = group["reference"], group["model"]
+        rows.append([f"`{group['scene']}`, {group['element']}", f"{power(reference['uncertainty'])} ({reference['elements']})",
+                     f"{label(its[-1]['below'])} m" if its else "–",
+                     *(number(errors.get(key)) for key in ("position", "time", "space", "velocity", "reaction", "energy")),
+                     number(reference["velocity"]), number(reference["reaction"]),
+                     f"{power(model['distance'])} ± {power(model['uncertainty'], 0)}" if model else "–"])
+    return table(["scene, element", "reference ±, m (elements)", "fastest run below", "error, m", "in time", "in space", "velocity, m/s", "reaction, N",
+                  "energy balance, J", "reference's velocity ±", "reaction ±", "theory against the continuum, m"], rows)
+
+
+def economies(result):
+    """What leaving out saves."""
+    rows = [[one["what"], f"{one['with']['median'] / one['without']['median']:.2f}", seconds(one["with"]["median"]), seconds(one["without"]["median"]),
+             power(one["difference"], 0), one["scene"]] for one in result["economies"]]
+    return table(["left out", "time with it over time without", "with", "without", "change, m", "on"], rows)
+
+
+def made_error_time(result):
+    """Machine, duration, disturbances."""
+    times = [point["time"] for winner in result["winners"] for point in (winner["ours"], winner["theirs"]) if point]
+    disturbed, runs = (sum(time[key] for time in times) for key in ("disturbed", "runs"))
+    return (f"{made(result)} {result['peer']} All of it took {result['wall_seconds'] / 60:.0f} minutes; of {runs} runs in these tables {disturbed} "
+            f"({100 * disturbed / runs:.0f} %) were disturbed in every attempt, and count all the same.")
+
+
+def performance(result):
+    """The README's sentence."""
+    find = lambda element: [w for w in result["winners"] if (w["scene"], w["element"], w["below"]) == ("pendulum-flexible", element, 1e-3)]
+    clauses = []
+    for element, name, other in (("euler-bernoulli", "Euler–Bernoulli", "cable element"), ("ancf", "the paper's element", "beam with shear")):
+        for winner in find(element):
+            ratio = f", Exudyn's {other} {winner['ratio']['ratio']:.1f} times as long" if winner["ratio"] else ""
+            clauses.append(f"{name} takes {seconds(winner['ours']['time']['median'])}{ratio}")
+    return f"Two seconds of the flexible pendulum, its tip within a millimetre at every instant, on one core: {'; '.join(clauses)} ({result['machine']})."
+
+
 BLOCKS = {
     ("paper.md", "statements-3", "main"): statements_3,
     ("paper.md", "distances", "main"): distances,
@@ -181,6 +275,12 @@ BLOCKS = {
     ("stability.md", "counts", "stability"): stability_counts,
     ("stability.md", "cases", "stability"): stability_cases,
     ("evidence.md", "measured", "evidence"): made,
+    ("error-time.md", "fastest-cable", "error-time"): fastest_cable,
+    ("error-time.md", "fastest-shear", "error-time"): fastest_shear,
+    ("error-time.md", "parts", "error-time"): parts,
+    ("error-time.md", "economies", "error-time"): economies,
+    ("error-time.md", "made", "error-time"): made_error_time,
+    ("../README.md", "error-time", "error-time"): performance,
 }
 
 
@@ -246,6 +346,9 @@ def slim(name, result):
         return {"readings": result["readings"]}
     if name == "main":
         return {key: value for key, value in result.items() if key not in ("run", "wall_seconds")}
+    if name == "error-time":
+        groups = [{key: group[key] for key in ("scene", "element", "reference", "space", "model")} for group in result["groups"]]
+        return {key: result[key] for key in ("peer", "wall_seconds")} | {"groups": groups, "winners": result["winners"], "economies": result["economies"]}
     cases = {}
     for case in result["cases"]:
         counts = dict.fromkeys(("right", "right with warning", "refused", "WRONG", "~"), 0)
@@ -290,7 +393,11 @@ def take(name, folder):
     processors = re.findall(r"^model name\s*: (.*)$", cpus.read_text(encoding="utf-8"), re.MULTILINE) if cpus.exists() else []
     machine = f"{processors[0] if processors else platform.processor()}, {len(processors) or '?'} cores, {platform.system()}"
     made_by = {"command": COMMANDS[name], "commit": commit, "machine": machine}
-    result = made_by | slim(name, read(name, folder))
+    result = read(name, folder)
+    if name == "error-time":
+        made_by["commit"] = (result["machine"]["commit"] or "unknown")[:7]
+        made_by["command"] += " --quick" * result["options"]["quick"] + "".join(f" {scene}" for scene in result["options"]["scenes"])
+    result = made_by | slim(name, result)
     kept(name).write_text(json.dumps(result, ensure_ascii=False, indent=1) + "\n", encoding="utf-8")
     for picture in PICTURES[name]:
         shutil.copy(folder / picture, PAGES / picture)
@@ -300,7 +407,7 @@ def pages(check):
     """Writes the blocks, or compares them. Returns what differs."""
     faults = []
     for (page, block, name), write in BLOCKS.items():
-        path, begin, end = PAGES / page, f"<!-- {block}:begin -->\n", f"\n<!-- {block}:end -->"
+        path, begin, end = (PAGES / page).resolve(), f"<!-- {block}:begin -->\n", f"\n<!-- {block}:end -->"
         text = path.read_text(encoding="utf-8")
         if text.count(begin) != 1 or text.count(end) != 1:
             faults.append(f"{page}: needs the block {block} once")
@@ -312,7 +419,7 @@ def pages(check):
         shown, after = rest.split(end)
         new = write(json.loads(kept(name).read_text(encoding="utf-8")))
         if check and shown != new:
-            faults.append(f"docs/{page}: the block {block} is not what {kept(name).relative_to(ROOT)} gives: run docs/numbers.py")
+            faults.append(f"{path.relative_to(ROOT) if path.is_relative_to(ROOT) else page}: the block {block} is not what {kept(name).relative_to(ROOT)} gives: run docs/numbers.py")
         elif not check:
             path.write_text(before + begin + new + end + after, encoding="utf-8")
     for path in [*sorted(PAGES.glob("*.md")), ROOT / "README.md"]:

@@ -138,7 +138,7 @@ pub enum Error {
     },
     /// The method has created energy.
     #[error(
-        "at t = {} s, step {step}, there are {created:.3e} J more than the {supply:.3e} J that were put in: {cause}; \
+        "at t = {} s, step {step}, the energy has grown by {created:.3e} J more than the {supply:.3e} J that loads and heat put in: {cause}; \
          {cure}",
         time_text(*time)
     )]

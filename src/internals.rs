@@ -17,6 +17,11 @@ pub mod integrators {
     pub use crate::integrators::inside::*;
 }
 
+/// Four numbers side by side, and the choice of the processor's instructions.
+pub mod lanes {
+    pub use crate::lanes::*;
+}
+
 /// Linear systems of rods and structures.
 pub mod linear {
     pub use crate::linear::*;

@@ -143,6 +143,7 @@ pub mod equations;
 pub mod error;
 pub mod integrators;
 pub mod internals;
+mod lanes;
 mod linear;
 pub mod model;
 pub mod run;

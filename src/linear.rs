@@ -4,7 +4,6 @@
 //! multipliers among the unknowns each rod is a band, and a border couples the bands: [`Bordered`].
 
 mod band;
-mod banded_ldlt;
 mod bordered;
 mod condensed;
 mod frontal;
@@ -15,7 +14,6 @@ mod modes;
 mod number;
 
 pub use band::{BandLu, BandMatrix};
-pub use banded_ldlt::BandedLdlt;
 pub use bordered::{BlockMut, Bordered, BorderedLu, InertiaMemory};
 pub use condensed::CondensedFactors;
 pub use frontal::{Chain, FrontalChain, NO_UNKNOWN};
@@ -43,10 +41,10 @@ pub fn flush_negligible<F: Number>(b: &mut DVector<F>) {
     if b.len() < LONG_VECTOR {
         return;
     }
-    // Four independent maxima at a time: a single one would make every comparison wait for the one before.
-    let (mut largest, mut least) = ([0.0; 4], [f64::INFINITY; 4]);
-    let (chunks, last) = b.as_slice().as_chunks::<4>();
-    for values in chunks.iter().map(<[F; 4]>::as_slice).chain([last]) {
+    // Eight independent maxima at a time: a single one would make every comparison wait for the one before.
+    let (mut largest, mut least) = ([0.0; 8], [f64::INFINITY; 8]);
+    let (chunks, last) = b.as_slice().as_chunks::<8>();
+    for values in chunks.iter().map(<[F; 8]>::as_slice).chain([last]) {
         for ((x, largest), least) in values.iter().zip(&mut largest).zip(&mut least) {
             let size = x.norm1();
             *largest = if size > *largest { size } else { *largest };

@@ -35,7 +35,9 @@ mod rod;
 mod rod_elements;
 mod rotation;
 mod rounding;
+mod row;
 mod stability;
+mod sweep;
 mod uniform_elements;
 mod unknown_kind;
 mod unknowns;
@@ -50,6 +52,7 @@ use self::point::{Node, Point};
 use self::rod::Rod;
 use self::unknown_kind::UnknownKind;
 use crate::elements::{Ends, ThermalStrain};
+use crate::lanes::Path;
 use crate::linear::Layout;
 use crate::model::Force;
 use crate::model::plan::Plan;
@@ -63,6 +66,8 @@ pub use stability::StabilityCounter;
 #[derive(Clone, Debug)]
 pub struct Structure {
     plan: Plan,
+    /// Instructions of the processor.
+    path: Path,
     rods: Arc<[Rod]>,
     kinds: Vec<UnknownKind>,
     /// Reciprocal lengths that convert an unknown's force to newtons; 0 for multipliers.
@@ -133,7 +138,7 @@ impl Structure {
 
     /// Product of the mass matrix and an acceleration (or velocity), into `sum`.
     pub fn inertia_into(&self, a: &DVector<f64>, sum: &mut DVector<f64>) {
-        sum.fill(0.0);
+        sum.as_mut_slice().fill(0.0);
         self.rods.iter().for_each(|rod| rod.mesh.add_inertia(a, sum));
     }
 
@@ -187,15 +192,25 @@ impl Structure {
 
     /// Elastic forces at the rods' thermal strains, into `sum`.
     pub fn force(&self, u: &DVector<f64>, thermal: &[ThermalStrain], sum: &mut DVector<f64>) {
-        sum.fill(0.0);
+        sum.as_mut_slice().fill(0.0);
+        self.add_force(u, thermal, 1.0, sum);
+    }
+
+    /// Adds `factor` times the elastic forces at the rods' thermal strains to `sum`.
+    pub fn add_force(&self, u: &DVector<f64>, thermal: &[ThermalStrain], factor: f64, sum: &mut DVector<f64>) {
         for (rod, eps_t) in self.rods.iter().zip(thermal) {
-            rod.mesh.add_force(u, *eps_t, sum);
+            rod.mesh.add_force(u, *eps_t, factor, sum);
         }
+    }
+
+    /// Instructions of the processor that the structure is computed with.
+    pub fn path(&self) -> Path {
+        self.path
     }
 
     /// Step-averaged elastic forces of the energy–momentum rule, into `sum`.
     pub fn mean_force(&self, step: &StepEnds, sum: &mut DVector<f64>) {
-        sum.fill(0.0);
+        sum.as_mut_slice().fill(0.0);
         for (n, rod) in self.rods.iter().enumerate() {
             rod.mesh.add_mean_force(&of_rod(step, n), sum);
         }

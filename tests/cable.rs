@@ -4,6 +4,8 @@
 #![allow(non_snake_case)] // The symbols of the literature are names here.
 
 mod common;
+#[path = "common/side_by_side.rs"]
+mod side_by_side;
 #[path = "common/states.rs"]
 mod states;
 
@@ -17,6 +19,7 @@ use nalgebra::{Rotation2, SMatrix, Vector2};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
+use side_by_side::{Four, TermSizes};
 use states::{assert_within, cases, compared};
 
 /// Energy, force and tangent in every state of the fixture: nothing of `equations` takes part.
@@ -124,21 +127,17 @@ proptest! {
         assert_within("∂Q_e/∂e", &rows(&kernel.tangent(&u, [eps_T, 0.0])), &rows(&K), &s.tangent());
     }
 
-    /// Elements side by side are the same elements, to the last bit: every lane the one in it.
+    /// Elements side by side are the elements one by one, on every path: each lane has its own displacement and heat.
     #[test]
     fn elements_side_by_side_are_the_same(s in states()) {
-        let (kernel, u, eps_T) = (s.cable(), [s.u(0), s.u(1)], s.eps_T);
-        let each = |of: &dyn Fn(f64) -> Vector8| [1.0, -0.5, 0.25, 0.0].map(of);
-        let (u_0, u_1) = (each(&|share| share * u[0]), each(&|share| u[1] * (1.0 - share)));
-        for (u, side_by_side) in u_0.iter().zip(kernel.forces(&u_0, eps_T)) {
-            prop_assert_eq!(kernel.force(u, eps_T), side_by_side);
-        }
-        let Ends { thermal_0, thermal_1, .. } = s.ends(&u);
-        let side_by_side = kernel.mean_forces(&Ends { u_0: &u_0, u_1: &u_1, thermal_0, thermal_1 });
-        for (lane, force) in side_by_side.into_iter().enumerate() {
-            let ends = Ends { u_0: &u_0[lane], u_1: &u_1[lane], thermal_0, thermal_1 };
-            prop_assert_eq!(kernel.mean_force(&ends), force);
-        }
+        let (kernel, shares, mass) = (s.cable(), [1.0, -0.5, 0.25, 0.0], cable::M(1.0, s.l));
+        let four = Four {
+            beam: &kernel,
+            mass: &mass,
+            u: [shares.map(|share| share * s.u(0)), shares.map(|share| 0.5 * (1.0 + share) * s.u(1))],
+            eps_T: s.eps_T.map(|strain| shares.map(|share| [share * strain, 0.0])),
+        };
+        four.assert_each_is_itself(&TermSizes { force: &s.force(), energy: s.energy(), det_j: 50.0 });
     }
 
     /// Heat across the rod finds no section to thicken.

@@ -4,12 +4,14 @@
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
 mod common;
+#[path = "common/side_by_side.rs"]
+mod side_by_side;
 #[path = "common/states.rs"]
 mod states;
 
 use ancf::equations::material::LameConstants;
 use ancf::equations::shape::Vector14;
-use ancf::equations::{axis, force, uniaxial};
+use ancf::equations::{axis, force, inertia, uniaxial};
 use ancf::internals::elements::{Ancf, Beam, Ends, Law};
 use ancf::model::Poisson;
 use ancf::state::ThermalModel;
@@ -20,6 +22,7 @@ use nalgebra::{SMatrix, Vector3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
+use side_by_side::{Four, TermSizes};
 use states::{Sizes, State, assert_within, axes, cases, compared, five_point, rows, states, turned, uniform, unit};
 
 /// Energy, force and tangent in every state of the fixtures. The oracle's numbers, the table's scales: nothing of
@@ -111,20 +114,24 @@ proptest! {
         assert_within("∂Q_e/∂e", &rows(&kernel.tangent(&u, eps_T)), &rows(&tangent), &sizes.tangent());
     }
 
-    /// Elements side by side are the same elements, to the last bit: every lane the one in it.
+    /// Elements side by side are the elements one by one, whatever the law and the path: each lane has its own displacement and heat.
     #[test]
     fn elements_side_by_side_are_the_same(s in states()) {
-        let (kernel, u, eps_T) = (kernel(&s), displacements(&s), s.eps_T_own(0));
-        let each = |of: &dyn Fn(f64) -> Vector14| [1.0, -0.5, 0.25, 0.0].map(of);
-        let (u_0, u_1) = (each(&|share| share * u[0]), each(&|share| u[1] * (1.0 - share)));
-        for (u, side_by_side) in u_0.iter().zip(kernel.forces(&u_0, eps_T)) {
-            prop_assert_eq!(kernel.force(u, eps_T), side_by_side);
-        }
-        let Ends { thermal_0, thermal_1, .. } = ends(&s, &u);
-        let side_by_side = kernel.mean_forces(&Ends { u_0: &u_0, u_1: &u_1, thermal_0, thermal_1 });
-        for (lane, force) in side_by_side.into_iter().enumerate() {
-            let ends = Ends { u_0: &u_0[lane], u_1: &u_1[lane], thermal_0, thermal_1 };
-            prop_assert_eq!(kernel.mean_force(&ends), force);
+        let (u, shares, sizes) = (displacements(&s), [1.0, -0.5, 0.25, 0.0], sizes_of_displacements(&s));
+        let (mass, force) = (inertia::M(1.0, &s.element()), sizes.force());
+        for kernel in laws(&s).map(|law| kernel_with(&s, law)) {
+            let four = Four {
+                beam: &kernel,
+                mass: &mass,
+                // A share of 1 − (−½) of the displacement at the end.
+                u: [shares.map(|share| share * u[0]), shares.map(|share| (1.0 - share) * u[1])],
+                eps_T: [0, 1].map(|end| shares.map(|share| s.eps_T_own(end).map(|strain| share * strain))),
+            };
+            // The displacements are up to 1.5 times as large: strains 2.25 times, energies five times.
+            let force: Vec<f64> = force.iter().map(|force| 3.4 * force).collect();
+            let gradient = 1.0 + 1.5 * sizes.D.iter().zip(&(u[0].abs().sup(&u[1].abs()))).map(|(d, u)| d * u).sum::<f64>();
+            let energy = 5.1 * sizes.energy();
+            four.assert_each_is_itself(&TermSizes { force: &force, energy, det_j: 2.0 * gradient * gradient });
         }
     }
 

@@ -11,8 +11,9 @@ use std::path::Path;
 use imports::{Import, Sources};
 
 /// The library's modules from the bottom up; those of one line do not know one another.
-const LAYERS: [&[&str]; 10] = [
+const LAYERS: [&[&str]; 11] = [
     &["error"],
+    &["lanes"],
     &["equations"],
     &["model"],
     &["state", "elements", "linear"],

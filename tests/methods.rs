@@ -122,7 +122,7 @@ fn both_meet_the_oracle_on_finer_meshes() {
         let of = oracle.run(id);
         for method in [Method::Gauss, Method::Nystrom] {
             let mut scene = pendulum(of.element, method, 2.5e-5);
-            scene.temperature = Scene::builtin(of.scene()).unwrap().temperature;
+            scene.temperature = of.scene().temperature;
             scene.rods[0].elements = of.elements;
             if !method.is_explicit() {
                 scene.time.newton_tolerance = 1e-10;

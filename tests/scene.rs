@@ -3,8 +3,8 @@
 use ancf::error::Error;
 use ancf::internals::model::{Scissors, builtin_names, builtin_text};
 use ancf::model::{
-    Constraints, Direction, Element, Force, Method, Model, Output, Poisson, Probe, Quantity, Rod, Scene, Start,
-    Support, Temperature, ThermalModel,
+    Constraints, Direction, Element, Force, Material, Method, Model, Output, Poisson, Probe, Quantity, Rod, Scene,
+    Section, Start, Support, Temperature, ThermalModel,
 };
 
 /// The required keys, and nothing else.
@@ -39,6 +39,54 @@ fn what_is_left_out_is_absent_or_at_its_default() {
     assert_eq!((scene.time.rho_inf, scene.time.newton_tolerance), (0.9, 1e-10));
     assert_eq!(scene.output, Output { interval: None, energy: true, shapes: None });
     assert_eq!((scene.steps(), scene.rows_every()), (250, 1));
+}
+
+/// Section of [`SMALLEST`] with other keys.
+fn section(keys: &str) -> Result<Section, String> {
+    let text = SMALLEST.replace("\"height\": 3, \"width\": 4", keys);
+    Model::parse(&text, "test").map(|model| model.into_scene().section).map_err(|error| error.to_string())
+}
+
+/// Of the area A and the inertia I: h = √(12 I/A), w = A/h, so that h w = A and w h³/12 = I.
+#[test]
+fn a_section_is_given_by_its_sides_or_by_area_and_inertia() {
+    assert_eq!(section(r#""width": 4, "height": 3"#), Ok(Section::new(3.0, 4.0)));
+    // 3 · 4 = 12 and 4 · 3³/12 = 9.
+    assert_eq!(section(r#""area": 12, "inertia": 9"#), Ok(Section::new(3.0, 4.0)));
+    for (keys, words) in [
+        ("", "`section.height` is missing"),
+        (r#""height": 3"#, "`section.width` is missing"),
+        (r#""area": 3"#, "`section.inertia` is missing"),
+        (r#""inertia": 3"#, "`section.area` is missing"),
+        (r#""area": 0, "inertia": 1"#, "an `area` and an `inertia` over 0"),
+        (r#""area": 1, "height": 1"#, "either `height` and `width`, or `area` and `inertia`"),
+        (r#""area": 1, "inertia": 1, "height": 1, "width": 1"#, "either `height` and `width`, or `area` and `inertia`"),
+        (r#""area": "1", "inertia": 1"#, "`section.area` is \"1\"; allowed: a number"),
+        (r#""height": -1, "width": 1"#, "`section.height` is -1"),
+    ] {
+        let error = section(keys).unwrap_err();
+        assert!(error.contains(words), "{keys}: {error}");
+    }
+}
+
+/// A tube, 16 mm outside and 12 mm inside, as a cantilever under a small load P across: PL³/3EI, to which the paper's element adds the
+/// shear of the equivalent rectangle, PL/GA.
+#[test]
+#[allow(non_snake_case)] // The symbols of mechanics are names here.
+fn a_tube_bends_as_its_area_and_inertia_say() {
+    let [outside, inside] = [0.016_f64, 0.012];
+    let area = std::f64::consts::PI / 4.0 * (outside.powi(2) - inside.powi(2));
+    let inertia = std::f64::consts::PI / 64.0 * (outside.powi(4) - inside.powi(4));
+    let (E, L, P) = (7e10, 1.0, 1e-4);
+    for (element, shear) in [(Element::EulerBernoulli, 0.0), (Element::Ancf, P * L / (0.5 * E * area))] {
+        let mut scene = Scene::builtin("cantilever").unwrap();
+        (scene.material, scene.section) = (Material::new(E, 0.0, 2700.0), Section::of_area(area, inertia));
+        (scene.rods[0].element, scene.rods[0].elements, scene.forces[0].force) = (element, 2, [0.0, -P]);
+        let run = ancf::run::run(&scene).unwrap();
+        let tip = *run.trajectory.column("tip.y").unwrap().last().unwrap();
+        let expected = -(P * L.powi(3) / (3.0 * E * inertia) + shear);
+        assert!((tip / expected - 1.0).abs() <= 1e-6, "{element}: {tip:e}, expected {expected:e}");
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! What the program `ancf` writes: texts for people, the files and the page of a run, and the schemas of its files.
 
 pub mod compare;
+pub mod cost;
 mod ends;
 pub mod error;
 mod frames;

@@ -15,6 +15,7 @@ use ancf_study::{error_time, stability};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{CommandFactory, Parser, Subcommand};
 
+use ancf_cli::cost::cost_text;
 use ancf_cli::error::{Error, Result};
 use ancf_cli::options::Options;
 use ancf_cli::summary::refused_line;
@@ -68,15 +69,15 @@ enum Command {
     /// Error against run time: every method, mesh and step, beside converged references; writes error-time.csv, .json, .svg
     /// and .html.
     ErrorTime {
-        /// Scenes of the study; all of them if none is named.
+        /// Scenes of the study, or scene files of your own: for these a reference is computed first. All of the study if none is
+        /// named.
         #[arg(value_name = "SCENE")]
         scenes: Vec<String>,
         #[command(flatten)]
         out: Out,
-        /// Runs of another program, as `python -m oracle.peers` writes them [default: peers.csv in the folder of --out, if it
-        /// is there].
-        #[arg(long, value_name = "FILE")]
-        peers: Option<PathBuf>,
+        /// Command of another program that runs the same scenes, in turns with this one on the same core: "python -m oracle.peers".
+        #[arg(long, value_name = "COMMAND")]
+        peer: Option<String>,
         /// Write the converged references of the scenes instead, into DIR or fixtures/converged.
         #[arg(long, value_name = "DIR", num_args = 0..=1, require_equals = true, default_missing_value = "fixtures/converged")]
         references: Option<PathBuf>,
@@ -101,6 +102,9 @@ enum Command {
     Plan {
         #[command(flatten)]
         scene: SceneArguments,
+        /// Make steps for half a second, and say how long the run will take and how much memory.
+        #[arg(long)]
+        cost: bool,
         #[command(flatten)]
         scissors: ScissorsOptions,
     },
@@ -110,7 +114,7 @@ enum Command {
         /// a stored one, also of a case of fixtures/structure.json (cable- stands before the names of fixtures/cable.json).
         state: String,
     },
-    /// Compare two runs column by column: by how much they differ, and where. Exit code 1 if by more than --within.
+    /// Compare two runs column by column: by how much they differ, and where.
     Compare(Compare),
     /// Test another implementation: which equation is wrong, and what kind of mistake fits; writes conformance.json and
     /// conformance.md.
@@ -149,9 +153,12 @@ struct Compare {
     a: PathBuf,
     /// Folder of the other run, or its trajectory.csv.
     b: PathBuf,
-    /// Largest difference that counts as agreement, over the largest value in the column.
-    #[arg(long, value_name = "PART", default_value_t = 1e-9, value_parser = part)]
-    within: f64,
+    /// Fail where a column differs by more than this part of its largest value; energies by that of the largest energy.
+    #[arg(long, value_name = "PART", value_parser = part)]
+    within: Option<f64>,
+    /// Compare these columns only.
+    #[arg(long, value_name = "COLUMN", value_delimiter = ',')]
+    columns: Vec<String>,
 }
 
 /// Reads a part, 0 or more.
@@ -211,16 +218,16 @@ fn main() -> ExitCode {
             run_scene(scene, options, *summary_line, scissors, &out.folder)
         }
         Some(Command::ErrorTime { scenes, references: Some(folder), .. }) => write_references(scenes, folder),
-        Some(Command::ErrorTime { scenes, out, peers, quick, .. }) => {
-            let options = error_time::Options { scenes: scenes.clone(), peers: peers.clone(), quick: *quick };
+        Some(Command::ErrorTime { scenes, out, peer, quick, .. }) => {
+            let options = error_time::Options { scenes: scenes.clone(), peer: peer.clone(), quick: *quick };
             error_time::study(&options, &out.folder, print).map_err(Error::from)
         }
         Some(Command::Equations { state }) => print_equations(state),
         Some(Command::Conform(arguments)) => conform::conform(arguments),
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
         Some(Command::Readings { out }) => ancf_study::readings(&out.folder, print).map_err(Error::from),
-        Some(Command::Plan { scene, scissors }) => print_plan(scene, scissors),
-        Some(Command::Compare(Compare { a, b, within })) => compare_runs(a, b, *within),
+        Some(Command::Plan { scene, cost, scissors }) => print_plan(scene, *cost, scissors),
+        Some(Command::Compare(arguments)) => compare_runs(arguments),
         Some(Command::Completions { shell }) => {
             clap_complete::generate(*shell, &mut Cli::command(), "ancf", &mut io::stdout());
             Ok(())
@@ -262,10 +269,11 @@ fn run_scene(
 }
 
 /// `ancf compare`.
-fn compare_runs(a: &Path, b: &Path, within: f64) -> Result<()> {
-    let comparison = compare::compare(a, b)?;
-    print(&comparison.text(within))?;
-    comparison.judge(within)
+fn compare_runs(arguments: &Compare) -> Result<()> {
+    let Compare { a, b, within, columns } = arguments;
+    let comparison = compare::compare(a, b, columns)?;
+    print(&comparison.text(*within))?;
+    within.map_or(Ok(()), |within| comparison.judge(within))
 }
 
 /// The model of a scene, with the changes that options ask for.
@@ -283,9 +291,10 @@ fn print_equations(state: &str) -> Result<()> {
 }
 
 /// `ancf plan`.
-fn print_plan(scene: &SceneArguments, options: &ScissorsOptions) -> Result<()> {
+fn print_plan(scene: &SceneArguments, cost: bool, options: &ScissorsOptions) -> Result<()> {
     let model = load(scene, options)?;
-    Ok(print(&report::plan_text(model.scene()))?)
+    let cost = if cost { cost_text(&model)? } else { String::new() };
+    Ok(print(&(report::plan_text(model.scene()) + &cost))?)
 }
 
 /// `ancf error-time --references`.

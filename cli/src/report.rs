@@ -1,7 +1,7 @@
 //! Texts for people: all rounding and formatting happens here.
 
 use ancf::internals::model::{Part, Plan};
-use ancf::model::{Method, Scene};
+use ancf::model::{Method, Scene, Section};
 use ancf::run::{ColumnAccuracy, Convergence, Run};
 
 use crate::ends::{energy_imbalance, final_time, final_values, largest_of};
@@ -33,6 +33,12 @@ pub fn run_text(scene: &Scene, run: &Run, wall_seconds: f64) -> String {
              accuracy in time and space)"
         ));
     }
+    if !run.accuracy.columns.is_empty() {
+        lines.push(
+            "± is the largest error anywhere in the run; the `mean` of a probe over a longer window has a smaller one"
+                .into(),
+        );
+    }
     for (of, estimate) in [("step", &run.accuracy.time), ("mesh", &run.accuracy.space)] {
         if let Some(estimate) = estimate {
             lines.push(format!("estimated error of the {of} {:.1e} m ({})", estimate.value, estimate.method));
@@ -54,6 +60,16 @@ pub fn plan_text(scene: &Scene) -> String {
     let elements: usize = scene.rods.iter().map(|rod| rod.elements).sum();
     let (rods, method) = (scene.rods.len(), scene.time.method);
     let mut lines = vec![scene.title.clone(), format!("{method}; rods: {rods}, elements: {elements}")];
+    let mut sections: Vec<&Section> = scene.rods.iter().map(|rod| scene.section(rod)).collect();
+    sections.dedup();
+    lines.extend(sections.iter().map(|section| {
+        let [height, width] = [section.height, section.width].map(rounded);
+        format!(
+            "section: {height} m high, {width} m wide, A = {:.4e} m², I = {:.4e} m⁴",
+            section.area(),
+            section.inertia()
+        )
+    }));
     lines.extend(parts.iter().map(line));
     lines.push("`ancf error-time` measures what this saves".into());
     lines.retain(|line| !line.is_empty());
@@ -80,9 +96,9 @@ fn sure(column: &ColumnAccuracy, value: f64, unit: &str) -> String {
         }
         (Convergence::Sure, digits @ 1..) => {
             let plural = if digits == 1 { "" } else { "s" };
-            format!(" ± {:.1e}, {digits} sure digit{plural}", column.total())
+            format!(" ± {:.1e}, {digits} reliable digit{plural}", column.total())
         }
-        _ => format!(" ± {:.1e}, no sure digit", column.total()),
+        _ => format!(" ± {:.1e}, no reliable digit", column.total()),
     }
 }
 

@@ -91,7 +91,7 @@ fn put(place: &mut Value, path: &[&str], value: &Value) -> Result<(), String> {
         Value::Object(keys) => put(keys.entry(*part).or_insert_with(|| Value::Object(Default::default())), rest, value),
         Value::Array(entries) if *part == "*" => entries.iter_mut().try_for_each(|entry| put(entry, rest, value)),
         Value::Array(entries) => {
-            let allowed = format!("in place of `{part}` {}", names(entries));
+            let allowed = format!("{} (there is no `{part}`)", names(entries));
             put(entry(entries, part).ok_or(allowed)?, rest, value)
         }
         _ => Err(format!("no `{part}` here: what holds it is neither an object nor a list")),

@@ -192,7 +192,7 @@ refused! {
     path_in_motion: r#""generalized-alpha""# => r#""generalized-alpha", "path": "arc-length""#; 11, "`time.path` is \"arc-length\""; "only \"static\" follows one"
     unknown_word: r#""generalized-alpha""# => r#""rk4""#; 11, "`time.method` is \"rk4\""; "`generalized-alpha`, `energy-momentum`, `explicit`, `gauss`, `nystrom`, `gauss-adaptive`, `nystrom-adaptive`, `static`"
     number_for_a_word: r#""generalized-alpha""# => "4"; 11, "`time.method` is 4"; "`generalized-alpha`, `energy-momentum`, `explicit`"
-    object_for_a_word: r#""2d""# => r#"{"2d": null}"#; 10, "`temperature.model` is {\"2d\": null}"; "`2d`, `1d`, `none`"
+    object_for_a_word: r#""2d""# => r#"{"2d": null}"#; 10, "`temperature.model` is {\"2d\": null}"; "`2d`, `1d`, `transverse`, `none`"
     nan: r#""nu": 0.3"# => r#""nu": NaN"#; 4, "`material.nu` is NaN"; "numbers are finite"
     nan_in_a_list: "[0.5, 0.0]" => "[0.5, NaN]"; 6, "`points.apex[1]` is NaN"; "numbers are finite"
     infinity: r#""end": 0.002"# => r#""end": Infinity"#; 11, "`time.end` is Infinity"; "numbers are finite"
@@ -310,6 +310,9 @@ refused! {
     poissons_terms_without_a_section: r#""q", "pivot": "m""# => r#""q", "pivot": "m", "element": "euler-bernoulli", "poisson": "axis""#; 7, "`rods[0].poisson` is \"axis\""; "the element \"euler-bernoulli\" has no section for Poisson's terms"
     pivot_without_a_node: r#""q", "pivot": "m""# => r#""q", "pivot": "m", "element": "euler-bernoulli", "elements": 3"#; 7, "`rods[0].elements` is 3"; "an even number: the element \"euler-bernoulli\" has no node in its middle, where the pivot `m` is"
     too_hot_for_an_axial_strain: r#""material": {"E": 3e8, "nu": 0.1, "rho": 2700.0, "alpha": -5e-5}"# => r#""element": "euler-bernoulli", "material": {"E": 3e8, "nu": 0.1, "rho": 2700.0, "alpha": -0.05}"#; 10, "`rods[1].temperature.history[0][1]` is 20.0"; "dT under 2.000000e1 K, where 1 + alpha dT stays positive in the rod `down`"
+    heat_across_a_rod_without_a_section: r#""material": {"E": 3e8, "nu": 0.1, "rho": 2700.0, "alpha": -5e-5}, "section": {"height": 0.01, "width": 0.04},
+     "temperature": {"model": "1d""# => r#""element": "euler-bernoulli",
+     "temperature": {"model": "transverse""#; 10, "`rods[1].temperature.model` is \"transverse\""; "no section that heat could strain across"
     relaxed_start_of_a_pinned_rod: r#""sudden""# => r#""relaxed""#; 10, "`rods[1].temperature.start` is \"relaxed\""; "points held 2"
     pivot_with_the_name_of_a_point: r#""s", "pivot": "m""# => r#""s", "pivot": "q""#; 8, "`rods[1].pivot` is \"q\""; "a name that no point in `points` has"
     rod_pinned_to_its_own_end: r#""q", "pivot": "m""# => r#""q", "pivot": "p""#; 7, "`rods[0].pivot` is \"p\""; "a name that no point in `points` has"

@@ -74,7 +74,7 @@ fn options_of_scissors_that_do_not_fit_are_exit_code_2() {
         (&["scissors-3", "--angle", "90"][..], "scissors-3: `angle` is 90.0; allowed: a number between 0 and 90"),
         (&["scissors-3", "--angle", "steep"], "invalid value 'steep' for '--angle <DEGREES>'"),
         (&["scissors-3", "--force", "NaN"], "`force` is NaN; allowed: a finite number"),
-        (&["scissors-3", "--temperature", "3d"], "[possible values: 2d, 1d, none]"),
+        (&["scissors-3", "--temperature", "3d"], "[possible values: 2d, 1d, transverse, none]"),
         (&["scissors-6251"], "`scissors-<n>` is 6251; allowed: a whole number from 1 to 6250"),
         (
             &["pendulum-2d", "--angle", "70"],

@@ -111,11 +111,22 @@ fn runs_are_compared() {
     let folder = tempfile::tempdir().unwrap();
     assert_eq!(code(&run(folder.path(), &["pendulum-2d", "--out", "a"])), 0);
     assert_eq!(code(&run(folder.path(), &["pendulum-2d", "--out", "b", "--set", "material.E=2.1e8"])), 0);
-    let differ = ancf(folder.path(), &["compare", "a", "b"], "");
+    assert_eq!(code(&ancf(folder.path(), &["compare", "a", "b"], "")), 0);
+    let differ = ancf(folder.path(), &["compare", "a", "b", "--within", "1e-9"], "");
     assert!(code(&differ) == 1 && words(&differ).contains("the runs differ in tip.x"), "{}", words(&differ));
     assert_eq!(code(&ancf(folder.path(), &["compare", "a/trajectory.csv", "b", "--within", "1"], "")), 0);
+    let other = ancf(folder.path(), &["compare", "a", "b", "--columns", "tip.z"], "");
+    assert!(code(&other) == 2 && words(&other).contains("tip.x, tip.y"), "{}", words(&other));
     let lacking = ancf(folder.path(), &["compare", "a", "none"], "");
     assert!(code(&lacking) == 2 && words(&lacking).contains("none"), "{}", words(&lacking));
+}
+
+#[test]
+fn a_plan_tells_what_a_run_will_take() {
+    let folder = tempfile::tempdir().unwrap();
+    let plan = ancf(folder.path(), &["plan", "pendulum-2d", "--cost", "--set", "time.end=0.01"], "");
+    let text = String::from_utf8_lossy(&plan.stdout).into_owned();
+    assert!(code(&plan) == 0 && text.contains("a run takes about") && text.contains("section: "), "{text}");
 }
 
 #[test]

@@ -74,7 +74,7 @@ fn messages_name_file_place_key_value_and_what_is_allowed() {
         (with("h", json!(-0.02)), "`h` is -0.02; allowed: a finite number over 0"),
         (with("height", json!(1)), "`height` is an unknown key (value 1); allowed: `l`, `h`"),
         (with("e", json!([1, 2])), "`e` is [ 1, 2 ]; allowed: an array of length 14"),
-        (with("model", json!("3d")), "`model` is \"3d\"; allowed: `2d`, `1d`, `none`; nearest: `1d`"),
+        (with("model", json!("3d")), "`model` is \"3d\"; allowed: `2d`, `1d`, `transverse`, `none`; nearest: `1d`"),
         (with("theta", json!(0.25)), "`theta` is 0.25; allowed: the inclination of e0, "),
         (with("points", json!([])), "`points` is []; allowed: one point [x, y] at least"),
         ("{\"l\": 1".into(), "state.json:1:"),

@@ -132,14 +132,14 @@ fn a_run_replaces_no_file_that_it_reads() {
         let error = message(&ancf(folder.path(), &["run", "summary.json", "--out", &out]), 2);
         assert!(error.contains("summary.json is read by this command") && error.contains("`--out`"), "{error}");
     }
-    fs::write(folder.path().join("error-time.csv"), "a,b\n").unwrap();
-    let peers = ["error-time", "cantilever", "--quick", "--peers", "error-time.csv", "--out", "."];
-    assert!(message(&ancf(folder.path(), &peers), 2).contains("error-time.csv is read by this command"));
+    write_scene(folder.path(), "error-time", "1.0", "0.004");
+    let own = ["error-time", "error-time.json", "--quick", "--out", "."];
+    assert!(message(&ancf(folder.path(), &own), 2).contains("error-time.json is read by this command"));
     fs::write(folder.path().join("conformance.md"), "a program").unwrap();
     let program = ["conform", "--out", ".", "--", "python3", "conformance.md"];
     assert!(message(&ancf(folder.path(), &program), 2).contains("conformance.md is read by this command"));
     assert_eq!(fs::read(folder.path().join("summary.json")).unwrap(), before);
-    assert_eq!(entries(folder.path()), ["conformance.md", "error-time.csv", "summary.json"]);
+    assert_eq!(entries(folder.path()), ["conformance.md", "error-time.json", "summary.json"]);
 }
 
 /// A run that would take minutes is refused at once.

@@ -85,7 +85,7 @@ fn applies(entry: &Entry, state: &State) -> bool {
     match state {
         State::Element(state) => match entry.function {
             "strain::eps_T" => state.model == ThermalModel::TwoD,
-            "strain::eps_T_1d" => state.model == ThermalModel::OneD,
+            "strain::eps_T_1d" => matches!(state.model, ThermalModel::OneD | ThermalModel::Transverse),
             _ => !entry.is_of_a_structure() && !entry.is_of_a_cable(),
         },
         State::Cable(_) => entry.is_of_a_cable(),

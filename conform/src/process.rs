@@ -134,7 +134,9 @@ impl Process {
         }
         let mut report = status.map_or_else(|| how.to_string(), |status| status.to_string());
         let lines = self.last_errors.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(last) = lines.iter().rev().find(|line| !line.trim().is_empty()) {
+        // Octave says this after its own message, whatever the message was.
+        let tells = |line: &&String| !line.trim().is_empty() && !line.contains("ignoring const execution_exception");
+        if let Some(last) = lines.iter().rev().find(tells) {
             report += &format!("; last line of standard error: {}", quoted(last));
         }
         report

@@ -1,4 +1,4 @@
-"""Prints a table of runs: three scissors, other angles and heats; every eighth is bad on purpose, to see failures recorded.
+"""Prints a table of runs: three scissors, other angles and forces; every eighth is bad on purpose, to see failures recorded.
 
     python parameters.py 20 > parameters.csv
 """
@@ -6,7 +6,7 @@
 import csv
 import sys
 
-HEATS = (0, 50, 100, 150)
+FORCES = (25, 50, 100, 200)
 COARSE = "--set 'rods.*.elements=4' --set time.step=1e-3"
 BAD = (
     # Refused: a value that is not allowed, an unknown key, an unknown method.
@@ -16,22 +16,21 @@ BAD = (
 )
 
 
-def options(angle, heat):
+def options(angle, force):
     """What `ancf run` is told."""
-    history = [[0, 0], [0.25, heat], [1.25, heat], [1.75, -heat], [2.75, -heat], [3, 0]]
-    return f"scissors-3-thermal --angle {angle} {COARSE} --set 'temperature.history={history}'".replace(", ", ",")
+    return f"scissors-3-thermal --angle {angle} --force {force} {COARSE}"
 
 
 def main():
     """Writes the table."""
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 20
     writer = csv.writer(sys.stdout, lineterminator="\n")
-    writer.writerow(["name", "angle", "heat", "options"])
-    angles = -(-count // len(HEATS))
+    writer.writerow(["name", "angle", "force", "options"])
+    angles = -(-count // len(FORCES))
     for n in range(count):
-        angle, heat = 70 + 12 * (n // len(HEATS)) / max(angles - 1, 1), HEATS[n % len(HEATS)]
+        angle, force = 74 + 8 * (n // len(FORCES)) / max(angles - 1, 1), FORCES[n % len(FORCES)]
         bad = f" {BAD[n // 8 % len(BAD)]}" if n % 8 == 7 else ""
-        writer.writerow([f"run-{n:03}", f"{angle:.3f}", heat, options(f"{angle:.3f}", heat) + bad])
+        writer.writerow([f"run-{n:03}", f"{angle:.3f}", force, options(f"{angle:.3f}", force) + bad])
 
 
 if __name__ == "__main__":

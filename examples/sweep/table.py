@@ -15,7 +15,7 @@ def found(folder):
     reach = max(row["a4.x"] for row in rows)
     deployed = next(row["t"] for row in rows if row["a4.x"] >= DEPLOYED * reach)
     deflection = max(abs(value) for row in rows for key, value in row.items() if key.endswith(".w"))
-    return {"deployed_after": deployed, "largest_deflection": deflection}
+    return {"deployed_after": round(deployed, 9), "largest_deflection": deflection}
 
 
 def line(row):

@@ -14,7 +14,7 @@ from ..element import field
 GAUSS_POINTS = (5, 3)
 
 # Factors of alpha dT along the rod's initial axis and across it.
-HEATED_DIRECTIONS = {"none": (0, 0), "1d": (1, 0), "2d": (1, 1)}
+HEATED_DIRECTIONS = {"none": (0, 0), "1d": (1, 0), "2d": (1, 1), "transverse": (0, 1)}
 
 
 def stress_and_energy(nu, shear=1):

@@ -28,7 +28,7 @@ from ..fixtures import fixture
 from ..fixtures.fixture import settled
 from . import integrators, rigid_pendulum, shear
 from .axis import Axis
-from .beam import Beam
+from .beam import HEATED_DIRECTIONS, Beam
 from .hinged_rod import TABLE_1, Cable, Plane, sizes
 
 FILE = "pendulum.json"
@@ -39,10 +39,11 @@ NODAL = (0, 1, 5, 10)
 
 RODS = {"ancf": Plane, "euler-bernoulli": Cable}
 
-# Element, model, start, number of elements. The models 1d and 2d are equal for the Euler-Bernoulli element.
+# Element, model, start, number of elements. The models 1d and 2d are equal for the Euler-Bernoulli element, which has no
+# section to heat across.
 CASES = [
     (element, model, start, n)
-    for element, heated in (("ancf", ("1d", "2d")), ("euler-bernoulli", ("1d",)))
+    for element, heated in (("ancf", ("1d", "2d", "transverse")), ("euler-bernoulli", ("1d",)))
     for model, starts, numbers in (
         ("none", (None,), (1, 2, 4)), *((model, ("sudden", "relaxed"), (2, 4)) for model in heated))
     for start in starts for n in numbers
@@ -153,8 +154,8 @@ def run(case, stored, second):
 def generate():
     """The fixture: elastic pendulum in every case, rigid pendulum, effect of a shear correction."""
     with ProcessPoolExecutor(WORKERS) as pool:
-        # Sudden 2d starts excite the thickness vibration and take longest.
-        longest_first = sorted(CASES, key=lambda case: ("2d", "sudden") != case[1:3])
+        # Sudden heat across excites the thickness vibration: these cases take longest.
+        longest_first = sorted(CASES, key=lambda case: (HEATED_DIRECTIONS[case[1]][1], case[2]) != (1, "sudden"))
         first = {case: pool.submit(stored_samples, case) for case in longest_first}
         alike = [
             [case for case in CASES if (case[0], case[3]) == (element, elements)]
@@ -192,7 +193,7 @@ def generate():
             "hinge": "r of the left end's axis point is held at the origin; all slopes are free",
             "tip": "the axis point at x = L; tip_velocity is its velocity",
             "model": "thermal strain alpha dT times I for 2d, times t t^T with t the initial axis for 1d, "
-            "zero for none; for euler-bernoulli alpha dT along the axis",
+            "times n n^T with n across it for transverse, zero for none; for euler-bernoulli alpha dT along the axis",
             "start": "at rest, horizontal. sudden: unstretched, dT acts from t = 0. relaxed: at the "
             "stress-free stretch, sqrt(1 + 2 alpha dT) in the heated directions, for euler-bernoulli 1 + alpha dT "
             "along. null: no heat",
@@ -240,11 +241,17 @@ def settled_document(stored, fresh):
 
 
 def settled_runs(stored, fresh):
-    """The stored document with its integrated numbers replaced by the fresh ones where they agree."""
+    """The stored document with its integrated numbers replaced by the fresh ones of the same run where they agree."""
     runs = stored.get("runs")
-    if type(runs) is not list or len(runs) != len(fresh["runs"]):
+    if type(runs) is not list:
         return stored
-    return stored | {"runs": [settled_run(*pair) for pair in zip(runs, fresh["runs"])]}
+    fresh_runs = {run["id"]: run for run in fresh["runs"]}
+
+    def settled_or_kept(run):
+        same = fresh_runs.get(run.get("id")) if type(run) is dict else None
+        return settled_run(run, same) if same else run
+
+    return stored | {"runs": [settled_or_kept(run) for run in runs]}
 
 
 def settled_run(stored, fresh):

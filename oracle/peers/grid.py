@@ -22,7 +22,7 @@ in the pendulums and fails earlier in the scissors. Explicit methods need the pe
 
 from dataclasses import dataclass
 
-from .options import Options
+from .options import BEAM, Options
 
 # Number of a pendulum's elements below which the dense solver is faster.
 SPARSE_FROM = {"implicit": 6, "explicit": 8}
@@ -31,7 +31,7 @@ SYMMETRIC = "EigenSparseSymmetric"  # the explicit methods solve with the mass m
 
 @dataclass(frozen=True)
 class Grid:
-    """Time between samples (s) and points of one scene; `quick` is a subset for short runs."""
+    """Time between rows of a timed run (s) and points of one scene; `quick` is a subset for short runs."""
 
     interval: float
     points: tuple
@@ -104,14 +104,23 @@ SCISSORS_HEATED = (
     + implicit(1e-5, (8, 3600), (8, 12000))
 )
 
+# The beam with shear: fewer elements, as its order is four. Sparse matrices from 3 elements (21 unknowns) on.
+BEAM_QUICK = implicit(1e-4, (2, 160), (2, 240), (3, 160), (3, 240), (3, 320), (4, 320), (4, 480), (6, 480), (6, 800), (8, 800),
+                      element=BEAM, sparse_from=3)
+BEAMS = BEAM_QUICK + implicit(1e-4, (1, 160), (3, 480), (4, 800), (6, 1200), (8, 1600), (8, 2400), (12, 1600), (12, 2400),
+                              (12, 3200), element=BEAM, sparse_from=3) + implicit(
+    1e-3, (2, 160), (3, 160), (4, 240), (6, 480), element=BEAM, sparse_from=3)
+SCISSORS_BEAMS = implicit(1e-4, (1, 150), (1, 240), (1, 300), (1, 600), (1, 900), (1, 1200), (2, 600), (2, 900), (2, 1200), (2, 1800),
+                          (2, 2400), (2, 3600), (4, 3600), element=BEAM) + implicit(
+    1e-5, (1, 600), (1, 1200), (2, 1200), (2, 2400), (2, 3600), (2, 6000), (4, 6000), element=BEAM)
+
 SCENES = {
-    "pendulum-flexible": Grid(0.25, SMOOTH + FINEST, SMOOTH_QUICK),
+    "pendulum-flexible": Grid(0.25, SMOOTH + FINEST + BEAMS, SMOOTH_QUICK + BEAM_QUICK),
     "pendulum-2d": Grid(0.25, SUDDEN),
     "pendulum-2d-relaxed": Grid(0.25, SMOOTH),
-    "scissors-3": Grid(0.5, SCISSORS, SCISSORS_QUICK),
+    "scissors-3": Grid(0.5, SCISSORS + SCISSORS_BEAMS, SCISSORS_QUICK + SCISSORS_BEAMS),
     "scissors-3-thermal": Grid(0.5, SCISSORS_HEATED),
 }
-QUICK_SCENES = [name for name, grid in SCENES.items() if grid.quick]
 
 
 def points(name, quick=False):

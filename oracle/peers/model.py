@@ -1,8 +1,10 @@
-"""A scene as an Exudyn system of ANCFCable2D elements."""
+"""A scene as an Exudyn system of cable elements, or of beams with shear."""
 
+import math
 from collections import defaultdict
 from itertools import pairwise
 
+from .options import BEAM
 from .program import exu, item
 
 # Mass (kg) of a body at the hinge for explicit solvers. Exudyn's explicit solvers hold a coordinate by setting its
@@ -12,11 +14,13 @@ ANCHOR = 1e12
 
 
 class Model:
-    """The system `mbs`, ready to solve, and its `sensor` at the probe."""
+    """The system `mbs`, ready to solve, and its `sensors` at the probe: the position's, and the velocity's if asked for."""
 
-    def __init__(self, scene, options):
+    def __init__(self, scene, options, with_velocity=False):
         if options.is_explicit and len(scene.rods) > 1:
             raise ValueError("the peer's explicit solvers have no pins between rods")
+        if options.element == BEAM and (scene.history or options.is_explicit):
+            raise ValueError("the peer's beam with shear has no thermal strain, and no hinge in explicit methods")
         self.scene, self.options = scene, options
         self.container = exu.SystemContainer()
         self.mbs = self.container.AddSystem()
@@ -24,7 +28,7 @@ class Model:
         self.strain = scene.thermal_strain(0.0)
         self.cables, self.nodes_at = [], defaultdict(list)  # all nodes at a point or pivot, one of each rod
         for rod in scene.rods:
-            self.add_rod(rod)
+            self.add_beam(rod) if options.element == BEAM else self.add_rod(rod)
         for nodes in self.nodes_at.values():
             for other in nodes[1:]:
                 self.tie(nodes[0], other, (0, 1))
@@ -32,9 +36,10 @@ class Model:
             self.hold(self.nodes_at[point][0], axes)
         for point, force in scene.forces:
             self.load(self.nodes_at[point][0], force)
-        self.sensor = self.mbs.AddSensor(item.SensorNode(
-            nodeNumber=self.nodes_at[scene.probe][0], outputVariableType=exu.OutputVariableType.Position,
-            storeInternal=True, writeToFile=False))
+        kinds = exu.OutputVariableType
+        self.sensors = [self.mbs.AddSensor(item.SensorNode(
+            nodeNumber=self.nodes_at[scene.probe][0], outputVariableType=kind, storeInternal=True, writeToFile=False))
+            for kind in ([kinds.Position, kinds.Velocity] if with_velocity else [kinds.Position])]
         if scene.is_heated_in_time:
             self.mbs.SetPreStepUserFunction(self.heat)
         self.mbs.Assemble()
@@ -61,6 +66,27 @@ class Model:
             if count % 2:
                 raise ValueError(f"a rod pinned at its middle needs an even number of elements, not {count}")
             self.nodes_at[rod.pivot].append(nodes[count // 2])
+        for name, node in zip(rod.ends, (nodes[0], nodes[-1])):
+            self.nodes_at[name].append(node)
+
+    def add_beam(self, rod):
+        """Adds nodes, elements and weight of one rod as a geometrically exact beam: three nodes to an element, full shear stiffness."""
+        scene, count = self.scene, self.options.elements
+        start, end = (scene.points[name] for name in rod.ends)
+        length, places = scene.length(rod) / count, 2 * count
+        angle = math.atan2(end[1] - start[1], end[0] - start[0])
+        nodes = [self.mbs.AddNode(item.NodeRigidBody2D(
+            referenceCoordinates=[a + (b - a) * k / places for a, b in zip(start, end)] + [angle])) for k in range(places + 1)]
+        for first in range(0, places, 2):
+            body = self.mbs.AddObject(item.ObjectBeamGeometricallyExact2D(
+                nodeNumbers=nodes[first:first + 3], length=length, massPerLength=scene.rho_A,
+                crossSectionInertia=scene.rho_A * scene.EI / scene.EA, bendingStiffness=scene.EI, axialStiffness=scene.EA,
+                shearStiffness=scene.GA, includeReferenceRotations=True))
+            if any(scene.gravity):
+                marker = self.mbs.AddMarker(item.MarkerBodyMass(bodyNumber=body))
+                self.mbs.AddLoad(item.LoadMassProportional(markerNumber=marker, loadVector=[*scene.gravity, 0]))
+        if rod.pivot:
+            self.nodes_at[rod.pivot].append(nodes[count])
         for name, node in zip(rod.ends, (nodes[0], nodes[-1])):
             self.nodes_at[name].append(node)
 

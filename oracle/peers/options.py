@@ -5,6 +5,9 @@ from dataclasses import dataclass
 EXPLICIT = ("velocity-verlet", "rk44")
 IMPLICIT = ("generalized-alpha", "trapezoidal")
 
+# Elements of a rod: Euler-Bernoulli's theory; Reissner's, with shear, three nodes to an element.
+CABLE, BEAM = "ANCFCable2D", "BeamGeometricallyExact2D"
+
 # 0: Gauss rules of order 9 (five points) for the axial strain and 5 (three points) for bending, as in our element.
 # 1: Exudyn's rules of orders 7 and 3, a different element.
 FULL_INTEGRATION, REDUCED_INTEGRATION = 0, 1
@@ -22,6 +25,7 @@ class Options:
     linear_solver: str = "EigenSparse"
     integration: int = FULL_INTEGRATION
     anchored: bool = True  # see `model.ANCHOR`; False only in `check`
+    element: str = CABLE
 
     @property
     def is_explicit(self):

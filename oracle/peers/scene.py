@@ -35,6 +35,7 @@ class Scene:
     gravity: tuple[float, float]
     EA: float
     EI: float
+    GA: float
     rho_A: float
     expansion: float
     history: tuple[tuple[float, float], ...]  # of the temperature, (s, K)
@@ -88,6 +89,7 @@ def read(name):
         gravity=tuple(scene.get("gravity", (0.0, 0.0))),
         EA=E * h * w,
         EI=E * w * h**3 / 12,
+        GA=E * h * w / (2 * (1 + material["nu"])),  # without a shear correction, as the paper's element
         rho_A=material["rho"] * h * w,
         expansion=material.get("alpha", 0.0),
         history=tuple(map(tuple, heat.get("history", []))),

@@ -23,14 +23,17 @@ class Failed(Exception):
 
 @dataclass(frozen=True)
 class Result:
-    """Time of the solve call (s), counters of the solver, position of the probe at the times t."""
+    """Times of the solve call (s), counters of the solver, position of the probe at the times t, and its velocity if asked for."""
 
-    seconds: float
+    seconds: float  # by the wall
+    computed: float  # of the process, which others on the core do not lengthen
     newton_iterations: int
     jacobians: int
     t: list
     x: list
     y: list
+    vx: list
+    vy: list
 
 
 def settings(options, end, interval):
@@ -64,27 +67,32 @@ def why(error, mbs):
     return f"{message} at {where}"
 
 
-def solve(scene, options, interval, end=None):
-    """Builds the model, times the solve call and reads the probe at every multiple of `interval`; raises `Failed`."""
+def solve(scene, options, interval=None, end=None):
+    """Builds the model, times the solve call and reads the probe at every multiple of `interval`, or its position and velocity at the
+    start and after every step if there is none; raises `Failed`."""
     end = scene.end if end is None else end
-    model = Model(scene, options)
-    chosen = settings(options, end, interval)
-    start = time.perf_counter()
+    model = Model(scene, options, with_velocity=interval is None)
+    every = end / options.steps if interval is None else interval
+    chosen = settings(options, end, every)
+    start, begun = time.perf_counter(), time.process_time()
     try:
         model.mbs.SolveDynamic(chosen, solverType=SOLVERS[options.method], showCausingItems=False)
     except Exception as error:
         raise Failed(why(error, model.mbs)) from error
-    seconds = time.perf_counter() - start
-    rows = [row for row in model.mbs.GetSensorStoredData(model.sensor).tolist() if row[0] > interval / 2]
-    t = [k * interval for k in range(1, round(end / interval) + 1)]
-    if len(rows) != len(t) or any(abs(row[0] - at) > 1e-9 for row, at in zip(rows, t)):
-        raise Failed(f"{len(rows)} positions of the probe do not match the {len(t)} sample times")
-    x, y = ([row[i] for row in rows] for i in (1, 2))
+    computed, seconds = time.process_time() - begun, time.perf_counter() - start
+    stored = [model.mbs.GetSensorStoredData(sensor) for sensor in model.sensors]
+    first = 1 if interval else 0  # the start only with every step
+    rows = [data[data[:, 0] > (first - 0.5) * every] for data in stored]
+    t = [k * every for k in range(first, round(end / every) + 1)]
+    if any(len(data) != len(t) or abs(data[:, 0] - t).max() > 1e-9 for data in rows):
+        raise Failed(f"{len(rows[0])} positions of the probe do not match the {len(t)} instants")
+    x, y = (rows[0][:, i].tolist() for i in (1, 2))
+    vx, vy = (rows[1][:, i].tolist() for i in (1, 2)) if interval is None else ([], [])
     reach = FAR * sum(map(scene.length, scene.rods))
     if not all(math.hypot(*place) < reach for place in zip(x, y)):  # also false for NaN
         raise Failed("the motion grew without bound, which Exudyn did not report")
     counts = model.mbs.sys["dynamicSolver"].it
-    return Result(seconds, counts.newtonStepsCount, counts.newtonJacobiCount, t, x, y)
+    return Result(seconds, computed, counts.newtonStepsCount, counts.newtonJacobiCount, t, x, y, vx, vy)
 
 
 def distance(positions, others):

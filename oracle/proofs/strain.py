@@ -34,7 +34,7 @@ def thermal_stretch_is_a_root():
     """The stress-free stretch is sqrt(1 + 2 alpha dT), not 1 + alpha dT.
 
     Heat is subtracted from the Green-Lagrange strain and so determines the square of the stretch: in both directions in
-    the 2D model, along the initial axis in the 1D model.
+    the 2D model, along the initial axis in the 1D model, across it in the transverse model.
     """
     t = R[:, 0]
     root, naive = sqrt(1 + 2 * alpha_dT), 1 + alpha_dT
@@ -48,7 +48,10 @@ def thermal_stretch_is_a_root():
     def axial(stretch):
         return R * sympy.diag(stretch, 1) * R.T
 
-    for J, direction, heated in ((both, I, 2), (axial, t * t.T, 1)):
+    def across(stretch):
+        return R * sympy.diag(1, stretch) * R.T
+
+    for J, direction, heated in ((both, I, 2), (axial, t * t.T, 1), (across, I - t * t.T, 1)):
         assert elastic(J(root), alpha_dT * direction) == sympy.zeros(2)
         excess = elastic(J(naive), alpha_dT * direction).trace()
         assert simplify(excess) == heated * alpha_dT**2 / 2

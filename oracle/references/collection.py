@@ -45,8 +45,8 @@ def generate():
             "symbols": "L length, h height, w width, E modulus, nu Poisson's ratio, G = E/(2 (1 + nu)), A = w h, "
             "I = w h^3/12, k shear correction factor, a amplitude of a stress-free bow at the start, rho density, alpha expansion, dT heating",
             "k": "null: rigid in shear",
-            "stretch": "length over initial length: of the paper's element without stress the root of 1 + 2 alpha dT, as its "
-            "strain is Green and Lagrange's; of Euler and Bernoulli's 1 + alpha dT",
+            "stretch": "length over initial length: of the paper's element without stress the root of 1 + 2 alpha dT in a heated "
+            "direction, as its strain is Green and Lagrange's; of Euler and Bernoulli's 1 + alpha dT",
             "thickness": "height over initial height, |r_y|: 1 where the section is as it was",
             "N": "axial force, the derivative of the energy by the length: positive in tension, negative in a heated rod "
             "between walls",

@@ -1,14 +1,13 @@
 """A straight heated rod, free and between walls, with the paper's strain: Green-Lagrange minus alpha dT.
 
-Stretched by a along and by c across, E_11 = (a^2 - 1)/2 - alpha dT and E_22 = (c^2 - 1)/2 - eps, eps = alpha dT in the
-2D model and 0 in the 1D one; W = lambda/2 (E_11 + E_22)^2 + mu (E_11^2 + E_22^2). The section is free to thicken:
-dW/dc = 0.
+Stretched by a along and by c across, E_11 = (a^2 - 1)/2 - p alpha dT and E_22 = (c^2 - 1)/2 - s alpha dT, where (p, s) is
+(1, 1) in the 2D model, (1, 0) in the 1D one and (0, 1) in the transverse one;
+W = lambda/2 (E_11 + E_22)^2 + mu (E_11^2 + E_22^2). The section is free to thicken: dW/dc = 0.
 
-    free:           a^2 = 1 + 2 alpha dT, c^2 = 1 + 2 eps, no force
-    between walls:  a = 1, N = A dW/da = -E A alpha dT/(1 - nu^2), and c^2 is
-                    1 + 2 alpha dT nu/(1 - nu) in the 1D model, 1 + 2 alpha dT/(1 - nu) in the 2D one
+    free:           a^2 = 1 + 2 p alpha dT, c^2 = 1 + 2 s alpha dT, no force
+    between walls:  a = 1, c^2 = 1 + 2 alpha dT (s + p nu/(1 - nu)), N = A dW/da = -p E A alpha dT/(1 - nu^2)
 
-N does not depend on the model: heat across the rod only thickens it.
+N does not depend on s: heat across the rod only thickens it, at any nu.
 
 Euler and Bernoulli's rod has the axial strain a - 1 - alpha dT and W = E A/2 (a - 1 - alpha dT)^2, with Young's modulus
 because the section is free to contract across. Free a = 1 + alpha dT, between walls N = -E A alpha dT, for any nu and in
@@ -26,6 +25,9 @@ AXIAL_SOURCE = "derived here from the strain energy; strain |r_x| - 1: Gerstmayr
 TABLE_1 = {"h": 0.02, "w": 0.02, "E": 2e8, "alpha": 2.85e-5}
 FREE_DT, HELD_DT = 200.0, 5.0
 
+# Whether heat strains the rod along and across.
+DIRECTIONS = {"1d": (1, 0), "2d": (1, 1), "transverse": (0, 1)}
+
 
 def law():
     """For each model, squared stretches and force per E A as functions of nu and alpha dT, solved and compared with the above."""
@@ -33,16 +35,16 @@ def law():
     mu = sympy.Rational(1, 2) / (1 + nu)  # of E = 1
     lame = 2 * mu * nu / (1 - 2 * nu)
     states = {}
-    for model, across in (("1d", 0), ("2d", 1)):
-        E_11, E_22 = (a**2 - 1) / 2 - heat, (c**2 - 1) / 2 - across * heat
+    for model, (along, across) in DIRECTIONS.items():
+        E_11, E_22 = (a**2 - 1) / 2 - along * heat, (c**2 - 1) / 2 - across * heat
         W = lame / 2 * (E_11 + E_22) ** 2 + mu * (E_11**2 + E_22**2)
-        free = {a: sympy.sqrt(1 + 2 * heat), c: sympy.sqrt(1 + 2 * across * heat)}
+        free = {a: sympy.sqrt(1 + 2 * along * heat), c: sympy.sqrt(1 + 2 * across * heat)}
         assert all(sympy.simplify(W.diff(s).subs(free)) == 0 for s in (a, c)), "no force in the free rod"
         held = W.subs(a, 1)
         (thickness,) = sympy.solve(sympy.expand(held.diff(c) / c), c**2)
-        assert sympy.simplify(thickness - (1 + 2 * heat * (nu + across * (1 - nu)) / (1 - nu))) == 0
+        assert sympy.simplify(thickness - (1 + 2 * heat * (across + along * nu / (1 - nu)))) == 0
         force = sympy.simplify(W.diff(a).subs(a, 1).subs(c, sympy.sqrt(thickness)))
-        assert sympy.simplify(force + heat / (1 - nu**2)) == 0
+        assert sympy.simplify(force + along * heat / (1 - nu**2)) == 0
         results = (free[a] ** 2, free[c] ** 2, thickness, force)
         states[model] = sympy.lambdify((nu, heat), results, "mpmath")
     return states
@@ -58,7 +60,7 @@ def axial_law():
 
 
 def entries():
-    """Entries: both models at nu = 0 and 0.3, and Euler and Bernoulli's rod."""
+    """Entries: every model at nu = 0 and 0.3, and Euler and Bernoulli's rod."""
     states, axial = law(), axial_law()
     with mp.workdps(value.WORKING):
         EA = value.exact(TABLE_1["E"]) * value.exact(TABLE_1["h"]) * value.exact(TABLE_1["w"])

@@ -14,25 +14,27 @@
 #![allow(non_snake_case)] // The symbols of the derivation are names here: A, I, H, N, eps_T.
 
 mod section;
+mod side_by_side;
 
 use nalgebra::Vector2;
 
 pub use section::Law;
 use section::{Resultants, Section, SectionLaw, Stiffness, geometric};
+use side_by_side::{SideBySide, Station, momenta};
 
-use super::beam::{Beam, Ends, ThermalStrain};
+use super::beam::{Beam, Ends, FourEnds, ThermalStrain};
 use super::collapse::{OUTERMOST, cross, smallest};
 use super::deviation::Deviation;
-use super::lanes::{LANES, each, side_by_side};
 use super::layout::{coordinates, matrix, nodal};
 use super::nodal_vector::Meaning::{Position, SlopeX, SlopeY};
 use super::nodal_vector::NodalVector;
-use super::plane::{Block, Linear, Scalar, Vec2, Vector, vec2};
+use super::plane::{Block, Linear, Vec2, Vector, vec2};
 use super::polynomial::{GaussPoint, Quadratic, add_at, add_moments, add_slope_at, at, gauss_points, slope_at};
 use super::section_state::SectionState;
 use crate::equations::element::Matrix14;
 use crate::equations::shape::{S, Vector14};
 use crate::equations::volume::GAUSS_5;
+use crate::lanes::Lanes;
 
 /// The paper's element, straight and in its consistent form, arranged for speed.
 ///
@@ -49,12 +51,14 @@ pub struct Ancf {
     law: SectionLaw,
     /// h/2
     half_height: f64,
+    /// The same for four elements side by side.
+    four: SideBySide,
 }
 
 /// Displacement of an element as polynomials in ζ: p = u₀', and δ with the derivative l/2 κ.
-struct Shape<V> {
-    p: Quadratic<V>,
-    delta: Quadratic<V>,
+struct Shape {
+    p: Quadratic<Vec2>,
+    delta: Quadratic<Vec2>,
 }
 
 /// Moments Σ w ζⁿ H of the section stiffnesses at the Gauss points, n = 0 … 4.
@@ -66,12 +70,16 @@ impl Ancf {
         let points = gauss_points(&GAUSS_5, l);
         let (sin, cos) = theta.sin_cos();
         let (t, n, law) = (vec2(cos, sin), vec2(-sin, cos), SectionLaw::new(law, h, w));
-        Ancf { t, n, per_length: 1.0 / l, points, law, half_height: 0.5 * h }
+        let stations = points.map(|point| Station::new(&point, &law));
+        let (per_length, half_height) = (1.0 / l, 0.5 * h);
+        let four = SideBySide { t: [cos, sin], n: [-sin, cos], per_length, half_height, stations };
+        Ancf { t, n, per_length, points, law, half_height, four }
     }
 
     /// Makes the element compute the Poisson's terms of its law even where they are zero.
     pub fn with_poissons_terms(mut self, law: Law, h: f64, w: f64) -> Ancf {
         self.law.coupling = SectionLaw::coupling(law, h, w);
+        self.four.stations = self.points.map(|point| Station::new(&point, &self.law));
         self
     }
 
@@ -80,7 +88,7 @@ impl Ancf {
     /// A cubic axis through the ends and the middle, with its slope in the middle, has
     /// r' = r'ʲ + 2(rⁱ + rᵏ − 2rʲ)/l ζ + 3((rᵏ − rⁱ)/l − r'ʲ) ζ².
     #[inline(always)]
-    fn shape<V: Vector>(&self, [r_i, d_i, r_j, r_x_j, d_j, r_k, d_k]: [V; 7]) -> Shape<V> {
+    fn shape(&self, [r_i, d_i, r_j, r_x_j, d_j, r_k, d_k]: [Vec2; 7]) -> Shape {
         // Differences of neighbours come first: they lose no digits to a large rigid displacement.
         let (first, second) = ((r_j - r_i) * self.per_length, (r_k - r_j) * self.per_length);
         let (d_first, d_second) = (d_j - d_i, d_k - d_j);
@@ -92,7 +100,7 @@ impl Ancf {
 
     /// Polynomials of a displacement from its coordinates.
     #[inline(always)]
-    fn shape_of(&self, u: &Vector14) -> Shape<Vec2> {
+    fn shape_of(&self, u: &Vector14) -> Shape {
         self.shape(nodal(u.as_slice()))
     }
 
@@ -107,20 +115,14 @@ impl Ancf {
 
     /// Section vectors and elastic strains at a Gauss point.
     #[inline(always)]
-    fn section<V: Vector>(
-        &self,
-        point: &GaussPoint,
-        shape: &Shape<V>,
-        eps_T: ThermalStrain,
-    ) -> (Section<V>, Resultants<V::Number>) {
-        let [half, along, across] = [0.5, eps_T[0], eps_T[1]].map(V::Number::of);
-        let (t, n) = (V::of(self.t), V::of(self.n));
+    fn section(&self, point: &GaussPoint, shape: &Shape, eps_T: ThermalStrain) -> (Section, Resultants) {
+        let (t, n, [along, across]) = (self.t, self.n, eps_T);
         let (p, delta) = (at(point.zeta, &shape.p), at(point.zeta, &shape.delta));
         let kappa = slope_at(point.zeta, &shape.delta) * (2.0 * self.per_length);
         let (r_x, d) = (t + p, n + delta);
         let strains = Resultants {
-            a: [t.dot(p) + half * p.dot(p) - along, r_x.dot(kappa), half * kappa.dot(kappa)],
-            c: n.dot(delta) + half * delta.dot(delta) - across,
+            a: [t.dot(p) + 0.5 * p.dot(p) - along, r_x.dot(kappa), 0.5 * kappa.dot(kappa)],
+            c: n.dot(delta) + 0.5 * delta.dot(delta) - across,
             g: [t.dot(delta) + n.dot(p) + p.dot(delta), d.dot(kappa)],
         };
         (Section { r_x, d, kappa }, strains)
@@ -128,28 +130,28 @@ impl Ancf {
 
     /// Adds the force Bᵀ N of a Gauss point to the forces on the coefficients of p and of δ.
     #[inline(always)]
-    fn add_force<V: Vector>(
+    fn add_force(
         &self,
         point: &GaussPoint,
-        section: &Section<V>,
-        N: &Resultants<V::Number>,
-        [Q_p, Q_delta]: &mut [Quadratic<V>; 2],
+        section: &Section,
+        N: &Resultants,
+        [Q_p, Q_delta]: &mut [Quadratic<Vec2>; 2],
     ) {
         let Section { r_x, d, kappa } = *section;
-        let Resultants { a, c, g } = N.map(|force| V::Number::of(point.weight) * force);
-        let f_p = r_x.times(a[0]) + d.times(g[0]) + kappa.times(a[1]);
-        let f_delta = d.times(c) + r_x.times(g[0]) + kappa.times(g[1]);
-        let f_kappa = r_x.times(a[1]) + d.times(g[1]) + kappa.times(a[2]);
+        let Resultants { a, c, g } = N.map(|force| point.weight * force);
+        let f_p = r_x * a[0] + d * g[0] + kappa * a[1];
+        let f_delta = d * c + r_x * g[0] + kappa * g[1];
+        let f_kappa = r_x * a[1] + d * g[1] + kappa * a[2];
         add_at(point.zeta, f_p, Q_p);
         add_at(point.zeta, f_delta, Q_delta);
         add_slope_at(point.zeta, f_kappa * (2.0 * self.per_length), Q_delta);
     }
 
-    /// Elastic forces on the nodal vectors, of one element or of several side by side.
+    /// Elastic forces on the nodal vectors.
     #[inline(always)]
-    fn nodal_force<V: Vector>(&self, u: [V; 7], eps_T: ThermalStrain) -> [V; 7] {
+    fn nodal_force(&self, u: [Vec2; 7], eps_T: ThermalStrain) -> [Vec2; 7] {
         let shape = self.shape(u);
-        let mut Q = [[V::ZERO; 3]; 2];
+        let mut Q = [[Vec2::ZERO; 3]; 2];
         for point in &self.points {
             let (section, strains) = self.section(point, &shape, eps_T);
             self.add_force(point, &section, &self.law.forces(&strains), &mut Q);
@@ -158,11 +160,11 @@ impl Ancf {
         self.to_nodes(&[p_0, p_1, p_2, d_0, d_1, d_2])
     }
 
-    /// Forces of an energy–momentum step on the nodal vectors, of one element or of several side by side.
+    /// Forces of an energy–momentum step on the nodal vectors.
     #[inline(always)]
-    fn nodal_mean_force<V: Vector>(&self, [u_0, u_1]: [[V; 7]; 2], [eps_T0, eps_T1]: [ThermalStrain; 2]) -> [V; 7] {
+    fn nodal_mean_force(&self, [u_0, u_1]: [[Vec2; 7]; 2], [eps_T0, eps_T1]: [ThermalStrain; 2]) -> [Vec2; 7] {
         let (shape_0, shape_1) = (self.shape(u_0), self.shape(u_1));
-        let mut Q = [[V::ZERO; 3]; 2];
+        let mut Q = [[Vec2::ZERO; 3]; 2];
         for point in &self.points {
             let (section_0, strains_0) = self.section(point, &shape_0, eps_T0);
             let (section_1, strains_1) = self.section(point, &shape_1, eps_T1);
@@ -236,7 +238,7 @@ impl Beam<14> for Ancf {
 
     /// The strain is a₀, that of (13) along the rod. The director d turns by (d × d')/|d|² per length.
     fn section_state(&self, fraction: f64, u: &Vector14) -> SectionState {
-        let (zeta, shape): (f64, Shape<Vec2>) = (2.0 * fraction - 1.0, self.shape_of(u));
+        let (zeta, shape): (f64, Shape) = (2.0 * fraction - 1.0, self.shape_of(u));
         let (p, d) = (at(zeta, &shape.p), self.n + at(zeta, &shape.delta));
         let kappa = slope_at(zeta, &shape.delta) * (2.0 * self.per_length);
         SectionState {
@@ -248,7 +250,7 @@ impl Beam<14> for Ancf {
 
     /// With J = [r₀' + yκ, d], det J is r₀' × d + y κ × d. It is linear in y, so it is smallest at an outermost Gauss point.
     fn min_det_j(&self, _before: &Vector14, u: &Vector14) -> f64 {
-        let shape: Shape<Vec2> = self.shape_of(u);
+        let shape: Shape = self.shape_of(u);
         let delta: &Quadratic<Vec2> = &shape.delta;
         smallest(self.points.iter().map(|point| {
             let (r_x, d) = (self.t + at(point.zeta, &shape.p), self.n + at(point.zeta, delta));
@@ -270,8 +272,12 @@ impl Beam<14> for Ancf {
         Vector14::from(coordinates(&self.nodal_force(nodal(u.as_slice()), eps_T)))
     }
 
-    fn forces(&self, u: &[Vector14; LANES], eps_T: ThermalStrain) -> [Vector14; LANES] {
-        each(&self.nodal_force(side_by_side(u), eps_T))
+    #[inline(always)]
+    fn forces<L: Lanes>(&self, token: L::Token, u: &[L; 14], eps_T: [L; 2]) -> [L; 14] {
+        match self.law.coupling {
+            None => self.four.forces::<L, false>(token, u, eps_T),
+            Some(_) => self.four.forces::<L, true>(token, u, eps_T),
+        }
     }
 
     fn tangent(&self, u: &Vector14, eps_T: ThermalStrain) -> Matrix14 {
@@ -303,9 +309,32 @@ impl Beam<14> for Ancf {
         Vector14::from(coordinates(&self.nodal_mean_force(u, [ends.thermal_0, ends.thermal_1])))
     }
 
-    fn mean_forces(&self, ends: &Ends<[Vector14; LANES]>) -> [Vector14; LANES] {
-        let u = [ends.u_0, ends.u_1].map(side_by_side);
-        each(&self.nodal_mean_force(u, [ends.thermal_0, ends.thermal_1]))
+    #[inline(always)]
+    fn mean_forces<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 14>) -> [L; 14] {
+        match self.law.coupling {
+            None => self.four.mean_forces::<L, false>(token, ends),
+            Some(_) => self.four.mean_forces::<L, true>(token, ends),
+        }
+    }
+
+    #[inline(always)]
+    fn energies<L: Lanes>(&self, token: L::Token, u: &[L; 14], eps_T: [L; 2]) -> L {
+        self.four.energies(token, u, eps_T)
+    }
+
+    #[inline(always)]
+    fn heating_works<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 14>) -> L {
+        self.four.heating_works(token, ends)
+    }
+
+    #[inline(always)]
+    fn min_det_js<L: Lanes>(&self, token: L::Token, _before: &[L; 14], u: &[L; 14]) -> L {
+        self.four.min_det_js(token, u)
+    }
+
+    #[inline(always)]
+    fn momenta<L: Lanes>(token: L::Token, mass: &Matrix14, a: &[L; 14]) -> [L; 14] {
+        momenta(token, mass, a)
     }
 
     fn mean_tangent(&self, ends: &Ends<Vector14>) -> Matrix14 {

@@ -5,16 +5,16 @@
 use nalgebra::{SMatrix, SVector, Vector2};
 
 use super::deviation::Deviation;
-use super::lanes::LANES;
 use super::nodal_vector::NodalVector;
 use super::section_state::SectionState;
+use crate::lanes::Lanes;
 
 /// Thermal strain (along, across) in the rod's own axes: (α_T ΔT, α_T ΔT) in the 2D model, (α_T ΔT, 0) in the 1D model.
 pub type ThermalStrain = [f64; 2];
 
 /// Displacements and thermal strains at both ends of a step, of one element or of a structure with one thermal strain a rod.
 #[derive(Clone, Copy, Debug)]
-pub struct Ends<'a, V, T = ThermalStrain> {
+pub struct Ends<'a, V: ?Sized, T = ThermalStrain> {
     /// Displacement at the start of the step.
     pub u_0: &'a V,
     /// Displacement at the end of the step.
@@ -23,6 +23,14 @@ pub struct Ends<'a, V, T = ThermalStrain> {
     pub thermal_0: T,
     /// Thermal strain at the end of the step.
     pub thermal_1: T,
+}
+
+/// Both ends of a step, of four elements side by side.
+pub struct FourEnds<L, const N: usize> {
+    /// Displacements at the start and at the end of the step.
+    pub u: [[L; N]; 2],
+    /// Thermal strains there.
+    pub eps_T: [[L; 2]; 2],
 }
 
 /// Straight beam element with `N` nodal coordinates.
@@ -60,8 +68,8 @@ pub trait Beam<const N: usize> {
     /// Elastic forces Q_e = ∂U/∂e.
     fn force(&self, u: &SVector<f64, N>, eps_T: ThermalStrain) -> SVector<f64, N>;
 
-    /// Elastic forces ([`force`](Beam::force)) of [`LANES`] equal elements at once.
-    fn forces(&self, u: &[SVector<f64, N>; LANES], eps_T: ThermalStrain) -> [SVector<f64, N>; LANES];
+    /// Elastic forces ([`force`](Beam::force)) of four elements side by side.
+    fn forces<L: Lanes>(&self, token: L::Token, u: &[L; N], eps_T: [L; 2]) -> [L; N];
 
     /// Tangent ∂Q_e/∂e, symmetric.
     fn tangent(&self, u: &SVector<f64, N>, eps_T: ThermalStrain) -> SMatrix<f64, N, N>;
@@ -81,8 +89,20 @@ pub trait Beam<const N: usize> {
     /// Q̄·(u₁ − u₀) = U₁ − U₀ + ∫ σ̄ : (ε_T1 − ε_T0) dV.
     fn mean_force(&self, ends: &Ends<SVector<f64, N>>) -> SVector<f64, N>;
 
-    /// Mean forces ([`mean_force`](Beam::mean_force)) of [`LANES`] equal elements at once.
-    fn mean_forces(&self, ends: &Ends<[SVector<f64, N>; LANES]>) -> [SVector<f64, N>; LANES];
+    /// Mean forces ([`mean_force`](Beam::mean_force)) of four elements side by side.
+    fn mean_forces<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, N>) -> [L; N];
+
+    /// Strain energies ([`energy`](Beam::energy)) of four elements side by side, J.
+    fn energies<L: Lanes>(&self, token: L::Token, u: &[L; N], eps_T: [L; 2]) -> L;
+
+    /// Energies supplied by heating ([`heating_work`](Beam::heating_work)) of four elements side by side, J.
+    fn heating_works<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, N>) -> L;
+
+    /// Smallest det J ([`min_det_j`](Beam::min_det_j)) of four elements side by side.
+    fn min_det_js<L: Lanes>(&self, token: L::Token, before: &[L; N], u: &[L; N]) -> L;
+
+    /// Products M a of four elements side by side, with their mass matrix.
+    fn momenta<L: Lanes>(token: L::Token, mass: &SMatrix<f64, N, N>, a: &[L; N]) -> [L; N];
 
     /// Derivative of [`mean_force`](Beam::mean_force) with respect to `u_1`; not symmetric.
     fn mean_tangent(&self, ends: &Ends<SVector<f64, N>>) -> SMatrix<f64, N, N>;

@@ -7,24 +7,26 @@
 #![allow(non_snake_case)] // The symbols of the derivation are names here: EA, EI, N, M, A, B, H, K, Q.
 
 mod axis;
+mod side_by_side;
 mod step;
 
 use nalgebra::Vector2;
 
 use axis::{Bend, Blocks, Both, Stretch, combined, outers};
+use side_by_side::{SideBySide, momenta};
 use step::{BendStep, StretchStep};
 
-use super::beam::{Beam, Ends, ThermalStrain};
+use super::beam::{Beam, Ends, FourEnds, ThermalStrain};
 use super::collapse::{OUTERMOST, smallest};
-use super::lanes::{LANES, each, side_by_side};
 use super::layout::{coordinates, matrix, nodal};
 use super::nodal_vector::Meaning::{Position, SlopeX};
 use super::nodal_vector::NodalVector;
-use super::plane::{Block, Linear, Scalar, Vec2, Vector, vec2};
+use super::plane::{Block, Linear, Vec2, Vector, vec2};
 use super::polynomial::{GaussPoint, Quadratic, add_at, add_moments, add_slope_at, at, gauss_points, slope_at};
 use super::section_state::SectionState;
 use crate::equations::cable::{Matrix8, S_i, Vector8};
 use crate::equations::volume::{GAUSS_3, GAUSS_5};
+use crate::lanes::Lanes;
 
 /// The cable element, straight, arranged for speed.
 ///
@@ -41,6 +43,8 @@ pub struct Cable {
     bending: [GaussPoint; 3],
     EA: f64,
     EI: f64,
+    /// The same for four elements side by side.
+    four: SideBySide,
 }
 
 /// Moments Σ w ζⁿ H of the stiffnesses in (p, s) at the Gauss points, n = 0 … 4.
@@ -61,7 +65,9 @@ impl Cable {
     pub fn new(l: f64, theta: f64, EA: f64, EI: f64) -> Cable {
         let (sin, cos) = theta.sin_cos();
         let (axial, bending) = (gauss_points(&GAUSS_5, l), gauss_points(&GAUSS_3, l));
-        Cable { t: vec2(cos, sin), per_length: 1.0 / l, axial, bending, EA, EI }
+        let (t, per_length) = (vec2(cos, sin), 1.0 / l);
+        let four = SideBySide { t: [cos, sin], per_length, axial, bending, EA, EI };
+        Cable { t, per_length, axial, bending, EA, EI, four }
     }
 
     /// Polynomial p = u_x of a displacement from its nodal vectors; its derivative with respect to ζ is l/2 u_xx.
@@ -69,7 +75,7 @@ impl Cable {
     /// With Δ = (rᵏ − rⁱ)/l, the mean m of the slopes at both ends and their difference 2d,
     /// r_x = ½(3Δ − m) + d ζ + 3/2 (m − Δ) ζ².
     #[inline(always)]
-    fn shape<V: Vector>(&self, [r_i, slope_i, r_k, slope_k]: [V; 4]) -> Quadratic<V> {
+    fn shape(&self, [r_i, slope_i, r_k, slope_k]: [Vec2; 4]) -> Quadratic<Vec2> {
         let (chord, mean) = ((r_k - r_i) * self.per_length, (slope_i + slope_k) * 0.5);
         [chord * 1.5 - mean * 0.5, (slope_k - slope_i) * 0.5, (mean - chord) * 1.5]
     }
@@ -90,43 +96,43 @@ impl Cable {
 
     /// Adds a force on (p, s) at a Gauss point to the forces on the coefficients.
     #[inline(always)]
-    fn add_bending<V: Vector>(&self, point: &GaussPoint, [f_p, f_s]: Both<V>, Q: &mut Quadratic<V>) {
+    fn add_bending(&self, point: &GaussPoint, [f_p, f_s]: Both, Q: &mut Quadratic<Vec2>) {
         add_at(point.zeta, f_p, Q);
         add_slope_at(point.zeta, f_s * (2.0 * self.per_length), Q);
     }
 
-    /// Elastic forces on the nodal vectors, of one element or of several side by side.
+    /// Elastic forces on the nodal vectors.
     #[inline(always)]
-    fn nodal_force<V: Vector>(&self, u: [V; 4], eps_T: f64) -> [V; 4] {
+    fn nodal_force(&self, u: [Vec2; 4], eps_T: f64) -> [Vec2; 4] {
         let shape = self.shape(u);
-        let [EA, EI, eps_T] = [self.EA, self.EI, eps_T].map(V::Number::of);
-        let mut Q = [V::ZERO; 3];
+        let Cable { EA, EI, .. } = *self;
+        let mut Q = [Vec2::ZERO; 3];
         for point in &self.axial {
             let stretch = self.stretch(point, &shape);
             let N = EA * (stretch.strain - eps_T);
-            add_at(point.zeta, stretch.rate().times(V::Number::of(point.weight) * N), &mut Q);
+            add_at(point.zeta, stretch.rate() * (point.weight * N), &mut Q);
         }
         for point in &self.bending {
             let bend = self.bend(point, &shape);
-            let M = V::Number::of(point.weight) * EI * bend.kappa();
-            self.add_bending(point, bend.rate().map(|rate| rate.times(M)), &mut Q);
+            let M = point.weight * EI * bend.kappa();
+            self.add_bending(point, bend.rate().map(|rate| rate * M), &mut Q);
         }
         self.to_nodes(&Q)
     }
 
-    /// Forces of an energy–momentum step on the nodal vectors, of one element or of several side by side.
+    /// Forces of an energy–momentum step on the nodal vectors.
     #[inline(always)]
-    fn nodal_mean_force<V: Vector>(&self, u: [[V; 4]; 2], eps_T: [f64; 2]) -> [V; 4] {
+    fn nodal_mean_force(&self, u: [[Vec2; 4]; 2], eps_T: [f64; 2]) -> [Vec2; 4] {
         let shapes = u.map(|u| self.shape(u));
-        let mut Q = [V::ZERO; 3];
+        let mut Q = [Vec2::ZERO; 3];
         for point in &self.axial {
             let step = self.stretches(point, &shapes, eps_T);
-            add_at(point.zeta, step.rate().times(V::Number::of(point.weight) * step.mean_force(self.EA)), &mut Q);
+            add_at(point.zeta, step.rate() * (point.weight * step.mean_force(self.EA)), &mut Q);
         }
         for point in &self.bending {
             let step = self.bends(point, &shapes);
-            let M = V::Number::of(point.weight) * step.mean_moment(self.EI);
-            self.add_bending(point, step.rate().map(|rate| rate.times(M)), &mut Q);
+            let M = point.weight * step.mean_moment(self.EI);
+            self.add_bending(point, step.rate().map(|rate| rate * M), &mut Q);
         }
         self.to_nodes(&Q)
     }
@@ -154,43 +160,42 @@ impl Cable {
 
     /// Stretch of the axis at a Gauss point.
     #[inline(always)]
-    fn stretch<V: Vector>(&self, point: &GaussPoint, shape: &Quadratic<V>) -> Stretch<V> {
-        let [one, two] = [1.0, 2.0].map(V::Number::of);
-        let (t, p) = (V::of(self.t), at(point.zeta, shape));
+    fn stretch(&self, point: &GaussPoint, shape: &Quadratic<Vec2>) -> Stretch {
+        let (t, p) = (self.t, at(point.zeta, shape));
         let r_x = t + p;
         let length = r_x.dot(r_x).sqrt();
         // One division for both inverses: a division takes as long as ten multiplications.
-        let both = one / (length * (one + length));
-        let strain = (two * t.dot(p) + p.dot(p)) * (length * both);
-        Stretch { r_x, length, inverse: (one + length) * both, strain }
+        let both = 1.0 / (length * (1.0 + length));
+        let strain = (2.0 * t.dot(p) + p.dot(p)) * (length * both);
+        Stretch { r_x, length, inverse: (1.0 + length) * both, strain }
     }
 
     /// Second derivative in p of the axial energy of a Gauss point; the geometric part from the elastic strain `expected`.
     #[inline(always)]
-    fn axial_stiffness(&self, point: &GaussPoint, stretch: &Stretch<Vec2>, expected: f64) -> Block {
+    fn axial_stiffness(&self, point: &GaussPoint, stretch: &Stretch, expected: f64) -> Block {
         let (EA, rate) = (point.weight * self.EA, stretch.rate());
         (Block::outer(1.0, rate, rate) + stretch.rate_rate() * expected) * EA
     }
 
     /// Second derivative in (p, s) of the bending energy of a Gauss point; the geometric part from the curvature `expected`.
     #[inline(always)]
-    fn bending_stiffness(&self, point: &GaussPoint, bend: &Bend<Vec2>, expected: f64) -> Blocks {
+    fn bending_stiffness(&self, point: &GaussPoint, bend: &Bend, expected: f64) -> Blocks {
         let (EI, rate) = (point.weight * self.EI, bend.rate());
         combined(EI, &outers(rate, rate), EI * expected, &bend.rate_rate())
     }
 
     /// Curvature of the axis at a Gauss point.
     #[inline(always)]
-    fn bend<V: Vector>(&self, point: &GaussPoint, shape: &Quadratic<V>) -> Bend<V> {
-        let r_x = V::of(self.t) + at(point.zeta, shape);
+    fn bend(&self, point: &GaussPoint, shape: &Quadratic<Vec2>) -> Bend {
+        let r_x = self.t + at(point.zeta, shape);
         let r_xx = slope_at(point.zeta, shape) * (2.0 * self.per_length);
         let square = r_x.dot(r_x);
-        Bend { r_x, r_xx, cross: r_x.turn().dot(r_xx), square, inverse: V::Number::of(1.0) / square }
+        Bend { r_x, r_xx, cross: r_x.turn().dot(r_xx), square, inverse: 1.0 / square }
     }
 }
 
 /// Axial thermal strains at both ends of a step.
-fn along<V>(ends: &Ends<V>) -> [f64; 2] {
+fn along(ends: &Ends<Vector8>) -> [f64; 2] {
     [ends.thermal_0[0], ends.thermal_1[0]]
 }
 
@@ -259,8 +264,9 @@ impl Beam<8> for Cable {
         Vector8::from(coordinates(&self.nodal_force(nodal(u.as_slice()), eps_T)))
     }
 
-    fn forces(&self, u: &[Vector8; LANES], [eps_T, _]: ThermalStrain) -> [Vector8; LANES] {
-        each(&self.nodal_force(side_by_side(u), eps_T))
+    #[inline(always)]
+    fn forces<L: Lanes>(&self, token: L::Token, u: &[L; 8], [eps_T, _]: [L; 2]) -> [L; 8] {
+        self.four.forces(token, u, eps_T)
     }
 
     fn tangent(&self, u: &Vector8, [eps_T, _]: ThermalStrain) -> Matrix8 {
@@ -301,8 +307,29 @@ impl Beam<8> for Cable {
         Vector8::from(coordinates(&self.nodal_mean_force(u, along(ends))))
     }
 
-    fn mean_forces(&self, ends: &Ends<[Vector8; LANES]>) -> [Vector8; LANES] {
-        each(&self.nodal_mean_force([ends.u_0, ends.u_1].map(side_by_side), along(ends)))
+    #[inline(always)]
+    fn mean_forces<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 8>) -> [L; 8] {
+        self.four.mean_forces(token, ends)
+    }
+
+    #[inline(always)]
+    fn energies<L: Lanes>(&self, token: L::Token, u: &[L; 8], [eps_T, _]: [L; 2]) -> L {
+        self.four.energies(token, u, eps_T)
+    }
+
+    #[inline(always)]
+    fn heating_works<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 8>) -> L {
+        self.four.heating_works(token, ends)
+    }
+
+    #[inline(always)]
+    fn min_det_js<L: Lanes>(&self, token: L::Token, before: &[L; 8], u: &[L; 8]) -> L {
+        self.four.min_det_js(token, [before, u])
+    }
+
+    #[inline(always)]
+    fn momenta<L: Lanes>(token: L::Token, mass: &Matrix8, a: &[L; 8]) -> [L; 8] {
+        momenta(token, mass, a)
     }
 
     fn mean_tangent(&self, ends: &Ends<Vector8>) -> Matrix8 {
@@ -344,18 +371,13 @@ impl Cable {
 
     /// Stretches of the axis at a Gauss point, at both ends of a step.
     #[inline(always)]
-    fn stretches<V: Vector>(
-        &self,
-        point: &GaussPoint,
-        [u_0, u_1]: &[Quadratic<V>; 2],
-        eps_T: [f64; 2],
-    ) -> StretchStep<V> {
+    fn stretches(&self, point: &GaussPoint, [u_0, u_1]: &[Quadratic<Vec2>; 2], eps_T: [f64; 2]) -> StretchStep {
         StretchStep { start: self.stretch(point, u_0), end: self.stretch(point, u_1), eps_T }
     }
 
     /// Curvatures of the axis at a Gauss point, at both ends of a step.
     #[inline(always)]
-    fn bends<V: Vector>(&self, point: &GaussPoint, [u_0, u_1]: &[Quadratic<V>; 2]) -> BendStep<V> {
+    fn bends(&self, point: &GaussPoint, [u_0, u_1]: &[Quadratic<Vec2>; 2]) -> BendStep {
         BendStep { start: self.bend(point, u_0), end: self.bend(point, u_1) }
     }
 }

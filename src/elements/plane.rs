@@ -1,9 +1,6 @@
-//! Vectors and 2 × 2 blocks of the plane, for one element or for several side by side.
-//!
-//! x and y of one element are computed in one instruction of the processor. [`Vector`] and [`Scalar`] let a formula be
-//! written once for one element and for several (`lanes.rs`).
+//! Vectors and 2 × 2 blocks of the plane, for one element: x and y are computed in one instruction of the processor.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Mul, Sub};
 
 use wide::f64x2;
 
@@ -64,58 +61,15 @@ pub(super) fn vec2(x: f64, y: f64) -> Vec2 {
     Vec2::new([x, y])
 }
 
-/// A number of one element, or of several side by side.
-pub(super) trait Scalar:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
-{
-    /// `number` in every element.
-    fn of(number: f64) -> Self;
-
-    fn sqrt(self) -> Self;
-}
-
-impl Scalar for f64 {
-    #[inline(always)]
-    fn of(number: f64) -> f64 {
-        number
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> f64 {
-        self.sqrt()
-    }
-}
-
-/// A vector of one element ([`Vec2`]), or of several side by side.
-pub(super) trait Vector: Linear + Neg<Output = Self> {
-    const ZERO: Self;
-    type Number: Scalar;
-
-    /// `vector` in every element.
-    fn of(vector: Vec2) -> Self;
-
-    fn times(self, s: Self::Number) -> Self;
-
-    fn dot(self, other: Self) -> Self::Number;
+/// Products of plane vectors.
+pub(super) trait Vector {
+    fn dot(self, other: Self) -> f64;
 
     /// Rotated by a right angle: a × b = turn(a)·b.
     fn turn(self) -> Self;
 }
 
 impl Vector for Vec2 {
-    const ZERO: Vec2 = f64x2::ZERO;
-    type Number = f64;
-
-    #[inline(always)]
-    fn of(vector: Vec2) -> Vec2 {
-        vector
-    }
-
-    #[inline(always)]
-    fn times(self, s: f64) -> Vec2 {
-        self * s
-    }
-
     #[inline(always)]
     fn dot(self, other: Vec2) -> f64 {
         (self * other).reduce_add()

@@ -13,14 +13,15 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::{Vector2, Vector3};
 
 use super::ancf::{Ancf, Law};
-use super::beam::{Beam, Ends, ThermalStrain};
-use super::lanes::LANES;
+use super::beam::{Beam, Ends, FourEnds, ThermalStrain};
 use super::nodal_vector::NodalVector;
+use super::one_by_one::{each, over_each, side_by_side};
 use super::section_state::SectionState;
 use crate::equations::element::{Element, Matrix14};
 use crate::equations::material::LameConstants;
 use crate::equations::shape::Vector14;
 use crate::equations::{force, strain};
+use crate::lanes::Lanes;
 use crate::model::Poisson;
 
 /// The paper's element, straight, with the printed energy [`force::U_printed`].
@@ -96,8 +97,9 @@ impl Beam<14> for PrintedShear {
         force::Q_e(&e, &self.K(&e, &self.eps_T(eps_T)))
     }
 
-    fn forces(&self, u: &[Vector14; LANES], eps_T: ThermalStrain) -> [Vector14; LANES] {
-        u.each_ref().map(|u| self.force(u, eps_T))
+    fn forces<L: Lanes>(&self, token: L::Token, u: &[L; 14], eps_T: [L; 2]) -> [L; 14] {
+        let (u, eps_T) = (each(u), each(&eps_T));
+        side_by_side(token, &std::array::from_fn(|n| self.force(&u[n], eps_T[n].into())))
     }
 
     fn tangent(&self, u: &Vector14, eps_T: ThermalStrain) -> Matrix14 {
@@ -117,11 +119,27 @@ impl Beam<14> for PrintedShear {
         force::Q_e(&e, &K)
     }
 
-    fn mean_forces(&self, ends: &Ends<[Vector14; LANES]>) -> [Vector14; LANES] {
-        let &Ends { thermal_0, thermal_1, .. } = ends;
-        std::array::from_fn(|lane| {
-            self.mean_force(&Ends { u_0: &ends.u_0[lane], u_1: &ends.u_1[lane], thermal_0, thermal_1 })
-        })
+    fn mean_forces<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 14>) -> [L; 14] {
+        side_by_side(token, &over_each(ends, |ends| self.mean_force(ends)))
+    }
+
+    fn energies<L: Lanes>(&self, token: L::Token, u: &[L; 14], eps_T: [L; 2]) -> L {
+        let (u, eps_T) = (each(u), each(&eps_T));
+        L::load(token, &std::array::from_fn(|n| self.energy(&u[n], eps_T[n].into())))
+    }
+
+    fn heating_works<L: Lanes>(&self, token: L::Token, ends: &FourEnds<L, 14>) -> L {
+        L::load(token, &over_each(ends, |ends| self.heating_work(ends)))
+    }
+
+    #[inline(always)]
+    fn min_det_js<L: Lanes>(&self, token: L::Token, before: &[L; 14], u: &[L; 14]) -> L {
+        self.body.min_det_js(token, before, u)
+    }
+
+    #[inline(always)]
+    fn momenta<L: Lanes>(token: L::Token, mass: &Matrix14, a: &[L; 14]) -> [L; 14] {
+        Ancf::momenta(token, mass, a)
     }
 
     /// ½ K̄ + ½ (∂K₁/∂e₁) ē.

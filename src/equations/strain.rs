@@ -41,7 +41,8 @@ pub fn eps_T(alpha_T: f64, dT: f64) -> Vector3<f64> {
 /// Thermal strain of the 1D model, with which the paper compares: ε_T = α_T ΔT t⊗t, t = (cos θ, sin θ) along the rod.
 ///
 /// `alpha_T` in 1/K, `dT` in K, `theta` in rad. In global axes, like (9)–(13):
-/// \[α_T ΔT cos²θ, α_T ΔT sin²θ, α_T ΔT sin θ cos θ\]ᵀ (M7).
+/// \[α_T ΔT cos²θ, α_T ΔT sin²θ, α_T ΔT sin θ cos θ\]ᵀ (M7). With θ + π/2 it is the heat across the rod only,
+/// α_T ΔT n⊗n: what the 2D model adds, as t⊗t + n⊗n = I.
 pub fn eps_T_1d(alpha_T: f64, dT: f64, theta: f64) -> Vector3<f64> {
     let (sin, cos) = theta.sin_cos();
     alpha_T * dT * Vector3::new(cos * cos, sin * sin, sin * cos)

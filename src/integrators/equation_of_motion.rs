@@ -26,7 +26,6 @@ pub struct EquationOfMotion {
     mass: MassFactors,
     /// Last acceleration; with multipliers in their entries, if there are any.
     pub a: DVector<f64>,
-    force: DVector<f64>,
     thermal: Vec<ThermalStrain>,
 }
 
@@ -36,11 +35,10 @@ impl EquationOfMotion {
     /// # Errors
     /// [`Error::Singular`] for a singular mass matrix.
     pub fn new(structure: &Structure, counts: &mut Counts) -> Result<EquationOfMotion> {
-        let zeros = || DVector::zeros(structure.size());
         let thermal = structure.thermal_strains(0.0);
         counts.factorizations += 1;
         let mass = structure.factorize_mass().map_err(|at| singular_mass(structure, at))?;
-        Ok(EquationOfMotion { mass, a: zeros(), force: zeros(), thermal })
+        Ok(EquationOfMotion { mass, a: DVector::zeros(structure.size()), thermal })
     }
 
     /// Computes the acceleration at displacement `u` and time `t`, into [`a`](EquationOfMotion::a).
@@ -49,9 +47,8 @@ impl EquationOfMotion {
     /// constraints that are linear in q.
     pub fn accelerate(&mut self, structure: &Structure, u: &DVector<f64>, t: f64, counts: &mut Counts) {
         structure.thermal_strains_into(t, &mut self.thermal);
-        structure.force(u, &self.thermal, &mut self.force);
         structure.load_into(t, &mut self.a);
-        self.a -= &self.force;
+        structure.add_force(u, &self.thermal, -1.0, &mut self.a);
         self.mass.solve(&mut self.a);
         counts.force_calls += 1;
         counts.solves += 1;

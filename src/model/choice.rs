@@ -84,6 +84,9 @@ words! {
         TwoD = "2d",
         /// Along the rod only: ε_T = αΔT t⊗t with the rod's initial direction t.
         OneD = "1d",
+        /// Across the rod only: ε_T = αΔT n⊗n with n across the rod's initial direction, what "2d" adds to "1d". It
+        /// thickens the section, which changes inertia and stiffness in bending. Not for Euler–Bernoulli elements.
+        Transverse = "transverse",
         /// No strain: the history is ignored.
         None = "none",
     }
@@ -136,6 +139,18 @@ words! {
         Load = "load",
         /// Length of the path of equilibria (Riks 1979): the load factor is a result, the column `load`, and may fall.
         ArcLength = "arc-length",
+    }
+}
+
+impl ThermalModel {
+    /// Strains along and across a rod of what would be `strain` = αΔT in a free body.
+    pub fn strains(self, strain: f64) -> [f64; 2] {
+        match self {
+            ThermalModel::TwoD => [strain, strain],
+            ThermalModel::OneD => [strain, 0.0],
+            ThermalModel::Transverse => [0.0, strain],
+            ThermalModel::None => [0.0; 2],
+        }
     }
 }
 

@@ -47,15 +47,22 @@ impl Material {
 
 /// Rectangular cross-section.
 ///
+/// A scene file gives it by `height` and `width`, or by `area` and `inertia` of any section that is symmetric about its axis, of which it
+/// is the rectangle with the same A and I: both elements know nothing else of a section. A shear stiffness is that of the rectangle.
+///
 /// ```
 /// use ancf::model::Section;
 ///
 /// let section = Section::new(0.02, 0.01);
 /// assert_eq!((section.height, section.width), (0.02, 0.01));
+///
+/// // A tube of 16 mm outside and 12 mm inside.
+/// let tube = Section::of_area(8.796e-5, 2.199e-9);
+/// assert!((tube.area() / 8.796e-5 - 1.0).abs() < 1e-15 && (tube.inertia() / 2.199e-9 - 1.0).abs() < 1e-15);
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
+#[serde(try_from = "SectionKeys")]
 #[non_exhaustive]
 pub struct Section {
     /// Height h in the plane of motion, m; positive.
@@ -68,6 +75,65 @@ impl Section {
     /// Cross-section from its height in the plane of motion and its width across it, m.
     pub fn new(height: f64, width: f64) -> Section {
         Section { height, width }
+    }
+
+    /// The rectangle with this area A, m², and second moment of area I about the axis across the plane, m⁴: h = √(12 I/A), w = A/h.
+    pub fn of_area(area: f64, inertia: f64) -> Section {
+        let height = (12.0 * inertia / area).sqrt();
+        Section { height, width: area / height }
+    }
+
+    /// Area A = h w, m².
+    pub fn area(&self) -> f64 {
+        self.height * self.width
+    }
+
+    /// Second moment of area I = w h³/12, m⁴.
+    pub fn inertia(&self) -> f64 {
+        self.width * self.height.powi(3) / 12.0
+    }
+}
+
+/// The keys of a section in a file: `height` and `width`, or `area` and `inertia`.
+#[derive(Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "schema", schemars(extend("oneOf" = [{"required": ["height", "width"]}, {"required": ["area", "inertia"]}])))]
+#[serde(deny_unknown_fields)]
+struct SectionKeys {
+    /// Height h in the plane of motion, m; positive.
+    #[serde(default, deserialize_with = "shape::some")]
+    height: Option<f64>,
+    /// Width w across the plane of motion, m; positive.
+    #[serde(default, deserialize_with = "shape::some")]
+    width: Option<f64>,
+    /// Area A of a section that is no rectangle, m²; positive. It is computed as the rectangle with the same A and I.
+    #[serde(default, deserialize_with = "shape::some")]
+    area: Option<f64>,
+    /// Its second moment of area I about the axis across the plane, m⁴; positive.
+    #[serde(default, deserialize_with = "shape::some")]
+    inertia: Option<f64>,
+}
+
+impl TryFrom<SectionKeys> for Section {
+    // In serde's words, which the reader of a scene explains.
+    type Error = String;
+
+    fn try_from(keys: SectionKeys) -> Result<Section, String> {
+        let positive = |value: f64| value > 0.0 && value.is_finite();
+        let SectionKeys { height, width, area, inertia } = keys;
+        Err(match [height, width, area, inertia] {
+            [Some(height), Some(width), None, None] => return Ok(Section { height, width }),
+            [None, None, Some(area), Some(inertia)] if positive(area) && positive(inertia) => {
+                return Ok(Section::of_area(area, inertia));
+            }
+            [None, None, Some(_), Some(_)] => "invalid section, expected an `area` and an `inertia` over 0",
+            [None, _, None, None] => "missing field `height`",
+            [_, None, None, None] => "missing field `width`",
+            [None, None, None, _] => "missing field `area`",
+            [None, None, _, None] => "missing field `inertia`",
+            _ => "invalid section, expected either `height` and `width`, or `area` and `inertia`",
+        }
+        .into())
     }
 }
 

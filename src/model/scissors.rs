@@ -142,6 +142,7 @@ impl Scissors {
         let heat = match self.model {
             ThermalModel::None => "without heat",
             ThermalModel::OneD => "in changing temperature, heat strains the axis only",
+            ThermalModel::Transverse => "in changing temperature, heat strains the section only",
             ThermalModel::TwoD => "in changing temperature, heat strains the axis and the section",
         };
         format!(

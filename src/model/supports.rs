@@ -26,7 +26,7 @@ pub struct Support {
     /// Only free direction, as a vector of any length.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub slide: Option<[f64; 2]>,
-    /// Name of a rod whose section keeps its direction at the point: r_y · t₀ = 0 with the rod's initial direction t₀.
+    /// Name of a rod whose section keeps its direction at the point, which `fix` or `slide` holds: r_y · t₀ = 0 with the rod's initial direction t₀.
     /// For elements without r_y: r_x · n₀ = 0 with the initial normal n₀.
     #[serde(default, deserialize_with = "shape::some", skip_serializing_if = "Option::is_none")]
     pub clamp: Option<String>,

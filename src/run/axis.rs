@@ -15,7 +15,8 @@ pub struct AxisPoint {
     /// Axial strain of the straight rod, heat included: Green–Lagrange, (13) along the rod; |r_x| − 1 for Euler–Bernoulli
     /// elements.
     pub strain: f64,
-    /// Part of the strain that heat causes freely, αΔT of (8): `strain` less it is the elastic strain (14).
+    /// Part of the strain that heat causes freely, αΔT of (8), zero where heat strains the rod across only: `strain` less it is
+    /// the elastic strain (14).
     pub thermal_strain: f64,
     /// Curvature, 1/m: rotation of the section per initial length, positive counterclockwise.
     pub curvature: f64,

@@ -109,7 +109,7 @@ impl Energy {
             .max(self.initial_kinetic + input.abs() + (potential - (self.initial - self.initial_kinetic)).abs());
         if created > self.supply + structure.energy_rounding() {
             let (time, step, supply) = (state.t, state.step, self.supply);
-            let cause = "the step is far too long for a sudden load".into();
+            let cause = cause(method);
             return Err(Error::EnergyAppeared { time, step, created, supply, cause, cure: cure(method) });
         }
         Ok(())
@@ -137,15 +137,26 @@ impl Energy {
     }
 }
 
-/// Advice for steps that are too long for a sudden load.
+/// What makes energy appear.
+fn cause(method: Method) -> String {
+    match method {
+        Method::NystromAdaptive => "its steps do not resolve the fastest vibrations, those of thin or stiff sections",
+        _ if method.is_adaptive() => "the tolerance is far too large",
+        _ => "the step is far too long for a load, or for a vibration of the rods",
+    }
+    .into()
+}
+
+/// Advice for steps that are too long for a load.
 fn cure(method: Method) -> String {
     let shorter = if method.is_adaptive() { "time.tolerance" } else { "time.step" };
     let others = match method {
         Method::EnergyMomentum => ", or \"explicit\"",
+        Method::NystromAdaptive => ", or \"gauss-adaptive\"",
         _ if method.is_explicit() => "",
         _ => ", or \"energy-momentum\" or \"explicit\"",
     };
-    format!("a smaller `{shorter}` helps, or a `history` that lets it grow{others}")
+    format!("a smaller `{shorter}` helps, or loads whose `history` grows from 0{others}")
 }
 
 #[cfg(test)]
@@ -155,10 +166,10 @@ mod tests {
     #[test]
     fn no_method_is_told_to_use_itself() {
         for (method, part) in [
-            (Method::GeneralizedAlpha, "`history` that lets it grow, or \"energy-momentum\" or \"explicit\""),
-            (Method::EnergyMomentum, "`history` that lets it grow, or \"explicit\""),
-            (Method::Explicit, "a smaller `time.step` helps, or a `history` that lets it grow"),
-            (Method::NystromAdaptive, "a smaller `time.tolerance` helps, or a `history` that lets it grow"),
+            (Method::GeneralizedAlpha, "`history` grows from 0, or \"energy-momentum\" or \"explicit\""),
+            (Method::EnergyMomentum, "`history` grows from 0, or \"explicit\""),
+            (Method::Explicit, "a smaller `time.step` helps, or loads whose `history` grows from 0"),
+            (Method::NystromAdaptive, "loads whose `history` grows from 0, or \"gauss-adaptive\""),
         ] {
             assert!(cure(method).ends_with(part), "{}", cure(method));
         }

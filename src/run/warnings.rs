@@ -1,7 +1,7 @@
 //! Warnings about a scene itself.
 
 use super::unresolved_loads::unresolved_load;
-use crate::model::{Form, Method, Poisson, Rod, Scene, Start};
+use crate::model::{Form, Method, Poisson, Rod, Scene, Start, ThermalModel};
 use crate::structure::Structure;
 
 /// Steps per crossing of an element by the axial wave below which a heat shock is poorly resolved, by the method's
@@ -19,7 +19,7 @@ fn steps_per_crossing(method: Method) -> Option<f64> {
 
 /// All warnings about the scene itself.
 pub fn warnings(scene: &Scene) -> Vec<String> {
-    let warnings = [shock_warning, unresolved_load_warning, locking_warning, form_warning];
+    let warnings = [shock_warning, unresolved_load_warning, locking_warning, form_warning, clamp_warning];
     warnings.iter().filter_map(|warning| warning(scene)).collect()
 }
 
@@ -78,11 +78,22 @@ fn form_warning(scene: &Scene) -> Option<String> {
     })
 }
 
+/// Warning about a clamp at a point that nothing holds: its section keeps its direction, and moves.
+fn clamp_warning(scene: &Scene) -> Option<String> {
+    let held = |point: &str| scene.supports.iter().any(|other| other.point == point && !other.held().is_empty());
+    let loose = scene.supports.iter().find(|support| support.clamp.is_some() && !held(&support.point))?;
+    Some(format!(
+        "the clamp at `{}` keeps the direction of a section, and nothing holds the point itself; for a built-in end add \"fix\": [\"x\", \"y\"]",
+        loose.point
+    ))
+}
+
 /// Warning about implicit steps that do not resolve the wave of a heat shock.
 fn shock_warning(scene: &Scene) -> Option<String> {
     let (needed, crossing) = (steps_per_crossing(scene.time.method)?, Structure::wave_crossing_time(scene));
     let shock = scene.rods.iter().any(|rod| {
-        scene.heat(rod).is_some_and(|heat| {
+        // Heat across the rod alone starts no wave along it.
+        scene.heat(rod).filter(|heat| heat.model != ThermalModel::Transverse).is_some_and(|heat| {
             let sudden = heat.start == Start::Sudden && heat.at(0.0) != 0.0;
             // Heat within the time of a wave along the rod is practically sudden.
             let wave = Structure::wave_time(scene, rod);

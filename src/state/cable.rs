@@ -8,7 +8,6 @@ use super::beam::CableState;
 use super::entries::rows;
 use crate::equations::cable::{self, Vector8};
 use crate::equations::motion;
-use crate::model::ThermalModel;
 
 /// Value of a `quantity` (`cable.…`) of `equations/contents.rs` for the state of a cable element.
 ///
@@ -30,10 +29,7 @@ pub fn evaluate_cable(quantity: &str, state: &CableState) -> Option<Vec<f64>> {
     let &CableState { l, h, w, E, rho, .. } = state;
     let (e, e_dot) = (Vector8::from(state.e), Vector8::from(state.edot));
     let (EA, EI, rho_A) = (E * h * w, E * w * h.powi(3) / 12.0, rho * h * w);
-    let eps_T = match state.model {
-        ThermalModel::None => 0.0,
-        ThermalModel::OneD | ThermalModel::TwoD => state.alpha * state.dT,
-    };
+    let [eps_T, _] = state.model.strains(state.alpha * state.dT);
 
     let at_points = |f: &dyn Fn(f64) -> Vec<f64>| Some(state.points.iter().flat_map(|&[x, _]| f(x)).collect());
     let (r_x, r_xx) = (|x| cable::r_x(x, &e, l), |x| cable::r_xx(x, &e, l));

@@ -3,6 +3,8 @@
 
 #![allow(non_snake_case)] // The paper's symbols are names here.
 
+use std::f64::consts::FRAC_PI_2;
+
 use nalgebra::{Vector2, Vector3};
 
 use super::beam::ElementState;
@@ -14,21 +16,21 @@ use crate::equations::{axis, force, inertia, material, motion, shape, strain, un
 use crate::model::ThermalModel;
 
 impl ElementState {
-    /// Thermal strain ε_T of the state's model, in global axes: (8), or that of the 1D model.
+    /// Thermal strain ε_T of the state's model, in global axes: (8), or its part along or across
+    /// the rod.
     pub fn eps_T(&self) -> Vector3<f64> {
         match self.model {
             ThermalModel::TwoD => strain::eps_T(self.alpha, self.dT),
             ThermalModel::OneD => strain::eps_T_1d(self.alpha, self.dT, self.theta),
+            ThermalModel::Transverse => strain::eps_T_1d(self.alpha, self.dT, self.theta + FRAC_PI_2),
             ThermalModel::None => Vector3::zeros(),
         }
     }
 
     /// Thermal strain ε_T of the state's model, in the rod's own axes.
     pub fn eps_T_own(&self) -> Vector3<f64> {
-        match self.model {
-            ThermalModel::OneD => strain::eps_T_1d(self.alpha, self.dT, 0.0),
-            ThermalModel::TwoD | ThermalModel::None => self.eps_T(),
-        }
+        let [along, across] = self.model.strains(self.alpha * self.dT);
+        Vector3::new(along, across, 0.0)
     }
 
     /// Element in its initial configuration.

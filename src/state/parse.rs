@@ -65,6 +65,10 @@ impl CableState {
     fn check(&self) -> Check {
         let &CableState { l, alpha, dT, .. } = self;
         self.check_numbers()?;
+        if self.model == ThermalModel::Transverse {
+            let allowed = "\"2d\", \"1d\" or \"none\": the element has no section that heat could strain across";
+            return Err(Refusal { key: "model".into(), value: "\"transverse\"".into(), allowed: allowed.into() });
+        }
         if self.model != ThermalModel::None && 1.0 + alpha * dT <= 0.0 {
             return refuse("dT", dT, "1 + alpha dT over 0: it is the stretch without stress");
         }

@@ -14,12 +14,13 @@ impl Structure {
         (rod.from + place * rod.along + rod.mesh.axis(place, u), rod.mesh.section_state(place, u))
     }
 
-    /// Temperature change ΔT of a rod at time `t` (load factor in statics), K, and the axial strain αΔT that it causes;
-    /// zero for a rod that no heat strains.
+    /// Temperature change ΔT of a rod at time `t` (load factor in statics), K, and the axial strain that it causes freely:
+    /// αΔT, or none where heat strains the rod across only. Both are zero for a rod that no heat strains.
     pub fn heat(&self, rod: RodId, t: f64) -> [f64; 2] {
         let rod = &self.rods[rod.0];
         let Some(heat) = &rod.heat else { return [0.0; 2] };
         let temperature = if self.heat_grows(rod) { t * heat.temperature.at(0.0) } else { heat.temperature.at(t) };
-        [temperature, heat.alpha * temperature]
+        let [along, _] = heat.temperature.model.strains(heat.alpha * temperature);
+        [temperature, along]
     }
 }

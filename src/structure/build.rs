@@ -16,6 +16,7 @@ use super::unknowns::{Numbering, condensed, with_multipliers};
 use super::{Structure, mobility};
 use crate::elements::Meaning;
 use crate::error::{Error, Result};
+use crate::lanes::Path;
 use crate::model::plan::Plan;
 use crate::model::{Constraints, Method, Model, Motion, Scene, Start, times_of};
 
@@ -45,19 +46,35 @@ impl Structure {
         Structure::of(&model.try_into()?, plan)
     }
 
+    /// Builds the structure of a model with a given plan and the instructions that it is to be computed with.
+    ///
+    /// # Errors
+    /// Those of [`new`](Structure::new).
+    pub fn planned_on<M>(model: M, plan: &Plan, path: Path) -> Result<Structure>
+    where
+        M: TryInto<Model>,
+        Error: From<M::Error>,
+    {
+        Structure::on_path(&model.try_into()?, plan, path)
+    }
+
     /// Builds the structure of a checked model. An imperfection needs the straight structure first.
     pub(crate) fn of(model: &Model, plan: &Plan) -> Result<Structure> {
+        Structure::on_path(model, plan, Path::chosen())
+    }
+
+    fn on_path(model: &Model, plan: &Plan, path: Path) -> Result<Structure> {
         let scene = model.scene();
-        let Some(imperfection) = &scene.imperfection else { return Structure::assembled(scene, plan, None) };
+        let Some(imperfection) = &scene.imperfection else { return Structure::assembled(scene, plan, path, None) };
         // With multipliers a rod by itself is free, and its stiffness singular: no modes can be computed.
         let condensed = Scene { constraints: Constraints::Condensed, ..scene.clone() };
-        let deviation = Structure::assembled(&condensed, plan, None)?.deviation(scene, imperfection)?;
-        Structure::assembled(scene, plan, Some(&deviation))
+        let deviation = Structure::assembled(&condensed, plan, path, None)?.deviation(scene, imperfection)?;
+        Structure::assembled(scene, plan, path, Some(&deviation))
     }
 
     /// Structure that starts in a deviated shape, free of stress there.
-    fn assembled(scene: &Scene, plan: &Plan, deviation: Option<&Deviation>) -> Result<Structure> {
-        let mut rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, plan)).collect();
+    fn assembled(scene: &Scene, plan: &Plan, path: Path, deviation: Option<&Deviation>) -> Result<Structure> {
+        let mut rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, plan, path)).collect();
         let points = points(scene, &rods);
         if scene.time.method == Method::Static {
             mobility::check(scene, &points, &rods)?;
@@ -81,6 +98,7 @@ impl Structure {
         check_memory(size, layout.border_band, layout.bytes().saturating_add(eliminated))?;
         let mut structure = Structure {
             plan: *plan,
+            path,
             shortest_element: rods.iter().map(|rod| rod.along.norm()).fold(f64::INFINITY, f64::min),
             rounding_scale: rods.iter().map(|rod| rod.mesh.rounding_scale()).fold(0.0, f64::max),
             force_weights: DVector::from_iterator(kinds.len(), kinds.iter().map(UnknownKind::weight)),

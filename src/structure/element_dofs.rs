@@ -3,7 +3,7 @@
 use nalgebra::{DVector, Rotation2, SMatrix, SVector};
 
 use super::node_dofs::NodeDofs;
-use crate::elements::{Ends, LANES};
+use crate::elements::Ends;
 use crate::linear::NO_UNKNOWN;
 
 /// Unknowns of an element's coordinates.
@@ -67,20 +67,4 @@ impl<const N: usize> ElementDofs<N> {
         let (u_0, u_1) = (self.gather(ends.u_0), self.gather(ends.u_1));
         f(&Ends { u_0: &u_0, u_1: &u_1, thermal_0: ends.thermal_0, thermal_1: ends.thermal_1 })
     }
-}
-
-/// Coordinates of up to [`LANES`] elements; unused lanes are zero.
-#[inline(always)]
-pub(super) fn gather<const N: usize>(places: &[ElementDofs<N>], u: &DVector<f64>) -> [SVector<f64, N>; LANES] {
-    std::array::from_fn(|lane| places.get(lane).map_or(SVector::zeros(), |place| place.gather(u)))
-}
-
-/// Adds the forces of up to [`LANES`] elements to a vector of unknowns.
-#[inline(always)]
-pub(super) fn scatter<const N: usize>(
-    places: &[ElementDofs<N>],
-    forces: [SVector<f64, N>; LANES],
-    sum: &mut DVector<f64>,
-) {
-    places.iter().zip(forces).for_each(|(place, force)| place.scatter(force, sum));
 }

@@ -51,10 +51,11 @@ impl Structure {
         let mut mass = self.factorize_mass()?;
         let heats = self.heats();
         let of_elements = self.rods.iter().enumerate().flat_map(|(n, rod)| {
-            // Smallest and largest thermal strain of this rod: no strain between makes an element faster than both.
+            // Smallest and largest thermal strain of this rod, along or across, which share the sign of αΔT: no strain
+            // between makes an element faster than both.
             let of_rod = || heats.iter().map(move |heat| heat[n]);
-            let along = |a: &ThermalStrain, b: &ThermalStrain| a[0].total_cmp(&b[0]);
-            let extremes = [of_rod().min_by(along), of_rod().max_by(along)].into_iter().flatten();
+            let by_size = |a: &ThermalStrain, b: &ThermalStrain| (a[0] + a[1]).total_cmp(&(b[0] + b[1]));
+            let extremes = [of_rod().min_by(by_size), of_rod().max_by(by_size)].into_iter().flatten();
             extremes
                 .flat_map(move |thermal| STRAIN_FACTORS.map(|factor| rod.state(factor, thermal)))
                 .map(|(stretch, thermal)| rod.mesh.largest_square_frequency(stretch, thermal))
@@ -244,6 +245,22 @@ mod tests {
         assert!(bound > square.sqrt() && bound < 2.0 * square.sqrt(), "{bound}");
     }
 
+    /// Heat across alone, which comes and goes within the run, counts with its largest value: a section that is stretched by c
+    /// vibrates c times as fast.
+    #[test]
+    fn heat_across_counts_where_it_is_largest() {
+        let mut scene = Scene::builtin("pendulum-flexible").unwrap();
+        let cold = Structure::new(&scene).unwrap().largest_frequency().unwrap();
+        let history = vec![[0.0, 0.0], [0.1, 3000.0], [0.2, 0.0]];
+        let [along, across] = [ThermalModel::OneD, ThermalModel::Transverse].map(|model| {
+            scene.temperature = Some(Temperature::new(model, history.clone()));
+            Structure::new(&scene).unwrap().largest_frequency().unwrap() / cold
+        });
+        // To twice the strain αΔT = 0.0855, to which sudden heat overshoots.
+        let stretch = (1.0_f64 + 4.0 * 0.0855).sqrt();
+        assert!(across > stretch && along < across, "{along} {across} {stretch}");
+    }
+
     /// At no strain between two others is an element faster than at both, at rest, stress-free and beyond: checking
     /// corners is enough.
     #[test]
@@ -254,9 +271,9 @@ mod tests {
             scene.rods[1].elements = 40;
             let structure = Structure::new(&scene).unwrap();
             for (rod, factor) in structure.rods.iter().flat_map(|rod| STRAIN_FACTORS.map(|factor| (rod, factor))) {
-                for both in [true, false] {
+                for model in [ThermalModel::TwoD, ThermalModel::OneD, ThermalModel::Transverse] {
                     let square = |strain: f64| {
-                        let (stretch, thermal) = rod.state(factor, [strain, if both { strain } else { 0.0 }]);
+                        let (stretch, thermal) = rod.state(factor, model.strains(strain));
                         rod.mesh.largest_square_frequency(stretch, thermal)
                     };
                     for (from, to) in [(-0.2, 0.3), (-0.2, 0.0), (0.0, 1.0), (-0.02, 0.01)] {

@@ -36,9 +36,9 @@ impl Structure {
     /// All external forces at time `t`, or at the load factor `t` in statics, into `sum`.
     pub fn load_into(&self, t: f64, sum: &mut DVector<f64>) {
         if self.plan.weight {
-            sum.copy_from(&self.gravity);
+            sum.as_mut_slice().copy_from_slice(self.gravity.as_slice());
         } else {
-            sum.fill(0.0);
+            sum.as_mut_slice().fill(0.0);
         }
         if self.is_static {
             *sum *= t;

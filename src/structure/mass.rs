@@ -1,23 +1,32 @@
 //! Mass matrix, factorised once and solved with in every explicit step.
 //!
-//! Each element's M is a scalar matrix times the plane unit matrix: it couples nodal vectors, but not x with y. So the
-//! *free* vectors of a rod, those neither shared nor held in any direction, form one scalar band ([`BandedLdlt`]),
-//! solved for x and y together. The others, shared between rods or held in one direction, are the *border*:
+//! Each element's M is a scalar matrix times the plane unit matrix: it couples nodal vectors, but not x with y. The
+//! *free* vectors of a rod, those neither shared nor held in any direction, are solved for along the rod ([`MassChain`]),
+//! x and y together. The others, shared between rods or held in one direction, are the *border*:
 //!
 //! M_ff a_f + M_fb a_b = f_f,  M_bf a_f + M_bb a_b = f_b  ⇒  (M_bb − M_bf W) a_b = f_b − M_bf M_ff⁻¹ f_f,  a_f = M_ff⁻¹ f_f − W a_b,
 //!
 //! with W = M_ff⁻¹ M_fb, computed once. Multipliers couple everything; with them a [`BorderedLu`] is used.
 
+mod chain;
+mod condensed_chain;
+mod node_chain;
+
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use nalgebra::{DVector, Vector2};
 
+use self::chain::MassChain;
+use self::condensed_chain::CondensedChain;
+use self::node_chain::NodeChain;
 use super::Structure;
 use super::node_dofs::NodeDofs;
 use super::numbering::order;
 use super::rod::Rod;
 use super::rod_elements::ElementMatrix;
-use crate::linear::{BandLu, BandMatrix, BandedLdlt, BorderedLu, SingularAt, flush_negligible};
+use crate::lanes::Path;
+use crate::linear::{BandLu, BandMatrix, BlockLayout, BorderedLu, Layout, SingularAt, flush_negligible};
 
 /// Most border vectors of a rod: positions and slopes of both ends and of a pivot.
 const MOST_BORDER_VECTORS: usize = 6;
@@ -48,24 +57,18 @@ struct Condensed {
 /// Factors of one rod.
 #[derive(Debug)]
 struct RodFactors {
+    /// Unknowns of the rod's own.
+    own: Range<usize>,
     /// First unknowns of the free vectors.
     free: Vec<u32>,
-    band: ScalarBand,
+    /// Solution for the free vectors among the rod's own unknowns.
+    chain: Box<dyn MassChain>,
     /// Border vectors that the rod touches.
     touches: Vec<usize>,
     /// Coupling M_fb: free vector, index of the touched vector, entry.
     coupling: Vec<(usize, usize, f64)>,
     /// Matrix W by rows: for each free vector one entry per touched vector.
     response: Vec<f64>,
-}
-
-/// Scalar band of the half-width that the element needs.
-#[derive(Debug)]
-enum ScalarBand {
-    /// Band of elements with four nodal vectors.
-    Three(BandedLdlt<3>),
-    /// Band of elements with seven nodal vectors.
-    Six(BandedLdlt<6>),
 }
 
 /// Entries of one rod's mass matrix, by indices in its chain of nodal vectors.
@@ -91,27 +94,10 @@ impl RodMass<'_> {
     }
 }
 
-impl ScalarBand {
-    fn new(vectors: usize, size: usize, entry: impl Fn(usize, usize) -> f64) -> Result<ScalarBand, SingularAt> {
-        Ok(if vectors == 4 {
-            ScalarBand::Three(BandedLdlt::new(size, entry)?)
-        } else {
-            ScalarBand::Six(BandedLdlt::new(size, entry)?)
-        })
-    }
-
-    fn solve(&self, places: &[u32], b: &mut [f64]) {
-        match self {
-            ScalarBand::Three(band) => band.solve(places, b),
-            ScalarBand::Six(band) => band.solve(places, b),
-        }
-    }
-}
-
 impl Condensed {
-    fn new(rods: &[Rod], first_shared: usize) -> Result<Condensed, SingularAt> {
+    fn new(rods: &[Rod], layout: &Layout, path: Path) -> Result<Condensed, SingularAt> {
         // Border vectors: a shared one has the same unknowns in every rod.
-        let is_free = |vector: &NodeDofs| matches!(vector.unknowns, [Some(x), Some(_)] if x < first_shared);
+        let is_free = |vector: &NodeDofs| matches!(vector.unknowns, [Some(x), Some(_)] if x < layout.border);
         let mut known: BTreeMap<[Option<usize>; 2], usize> = BTreeMap::new();
         let mut vectors: Vec<NodeDofs> = Vec::new();
         let mut touches = Vec::new();
@@ -141,9 +127,17 @@ impl Condensed {
         let band = touches.iter().map(spread).max().unwrap_or(0);
         let mut corner = BandMatrix::zeros(unknowns.len(), band);
         let mut factors = Vec::new();
-        for (rod, touches) in rods.iter().zip(touches) {
+        for ((rod, block), touches) in rods.iter().zip(&layout.blocks).zip(touches) {
             let place_of = |vector: &NodeDofs| touches.iter().position(|&n| vectors[n].unknowns == vector.unknowns);
-            factors.push(RodFactors::new(&RodMass { rod }, is_free, place_of, &touches, &border, &mut corner)?);
+            factors.push(RodFactors::new(
+                &RodMass { rod },
+                (block, path),
+                is_free,
+                place_of,
+                &touches,
+                &border,
+                &mut corner,
+            )?);
         }
         let corner = corner.lu().map_err(|SingularAt(pivot)| SingularAt(unknowns[pivot]))?;
         let border_rhs = DVector::zeros(unknowns.len());
@@ -152,7 +146,7 @@ impl Condensed {
 
     fn solve(&mut self, b: &mut [f64]) {
         let Condensed { rods, border, unknowns, corner, border_rhs } = self;
-        rods.iter().for_each(|rod| rod.band.solve(&rod.free, b));
+        rods.iter().for_each(|rod| rod.chain.solve(&mut b[rod.own.clone()]));
         border_rhs.iter_mut().zip(&*unknowns).for_each(|(border_rhs, &unknown)| *border_rhs = b[unknown]);
         for rod in &*rods {
             for &(free, touched, mass) in &rod.coupling {
@@ -176,6 +170,7 @@ impl RodFactors {
     /// Factors of a rod; its part of M_bb − M_bf W is added to the corner.
     fn new(
         mass: &RodMass,
+        (block, path): (&BlockLayout, Path),
         is_free: impl Fn(&NodeDofs) -> bool,
         place_of: impl Fn(&NodeDofs) -> Option<usize>,
         touches: &[usize],
@@ -185,9 +180,11 @@ impl RodFactors {
         let chain = &mass.rod.chain;
         let places: Vec<usize> = (0..chain.len()).filter(|&vector| is_free(&chain[vector])).collect();
         let free: Vec<u32> = places.iter().filter_map(|&vector| chain[vector].unknowns[0]).map(|x| x as u32).collect();
-        let entry = |row: usize, column: usize| mass.entry(places[row], places[column]);
-        let band = ScalarBand::new(mass.rod.mesh.vectors().len(), places.len(), entry)
-            .map_err(|SingularAt(row)| SingularAt(free[row] as usize))?;
+        let own = block.first..block.first + block.size;
+        let own_free: Vec<NodeDofs> = chain.iter().map(|vector| own_dofs(vector, is_free(vector), own.start)).collect();
+        let vectors = mass.rod.mesh.vectors().len();
+        let factors = mass_chain(vectors, &own_free, |row, column| mass.rod.mesh.mass(row, column), path)
+            .map_err(|SingularAt(vector)| SingularAt(chain[vector].unknowns[0].unwrap_or_default()))?;
 
         // Indices in the chain of the border vectors, and the coupling of free vectors with them.
         let bordering: Vec<(usize, usize)> =
@@ -201,8 +198,9 @@ impl RodFactors {
             }
         }
         let mut rod = RodFactors {
+            own,
             free,
-            band,
+            chain: factors,
             touches: touches.to_vec(),
             coupling,
             response: vec![0.0; places.len() * touches.len()],
@@ -219,17 +217,19 @@ impl RodFactors {
         Ok(rod)
     }
 
-    /// Matrix W, column by column: the band is solved for vectors with y = 0.
+    /// Matrix W, column by column: the chain is solved for vectors with y = 0.
     fn find_response(&mut self) {
-        let (count, packed) = (self.touches.len(), 0..self.free.len() as u32);
-        let packed: Vec<u32> = packed.map(|n| 2 * n).collect();
+        let (count, first) = (self.touches.len(), self.own.start);
+        let mut column = vec![0.0; self.own.len()];
         for touched in 0..count {
-            let mut column = vec![0.0; 2 * packed.len()];
+            column.fill(0.0);
             for &(free, _, mass) in self.coupling.iter().filter(|coupling| coupling.1 == touched) {
-                column[2 * free] = mass;
+                column[self.free[free] as usize - first] = mass;
             }
-            self.band.solve(&packed, &mut column);
-            (0..packed.len()).for_each(|free| self.response[free * count + touched] = column[2 * free]);
+            self.chain.solve(&mut column);
+            for (free, place) in self.free.iter().enumerate() {
+                self.response[free * count + touched] = column[*place as usize - first];
+            }
         }
     }
 
@@ -246,6 +246,30 @@ impl RodFactors {
             b[place as usize..place as usize + 2].copy_from_slice(a.as_slice());
         }
     }
+}
+
+/// Factors of a rod of elements with `vectors` nodal vectors each. `free` are the chain's vectors, without unknowns where they are
+/// not free; `entry` is an element's M, by its nodal vectors.
+///
+/// # Errors
+/// Index in the chain of a vector whose pivot is not positive.
+fn mass_chain(
+    vectors: usize,
+    free: &[NodeDofs],
+    entry: impl Fn(usize, usize) -> f64,
+    path: Path,
+) -> Result<Box<dyn MassChain>, SingularAt> {
+    Ok(if vectors == 4 {
+        Box::new(NodeChain::new(free, entry, path)?)
+    } else {
+        Box::new(CondensedChain::new(free, entry, path)?)
+    })
+}
+
+/// Unknowns of a free vector, counted from the rod's first; none of another one.
+fn own_dofs(vector: &NodeDofs, is_free: bool, first: usize) -> NodeDofs {
+    let unknowns = vector.unknowns.map(|unknown| unknown.filter(|_| is_free).map(|unknown| unknown - first));
+    NodeDofs { unknowns, turn: None }
 }
 
 /// Adds `mass` · 1, which couples two nodal vectors, in the axes of each of them.
@@ -279,7 +303,7 @@ impl Structure {
     /// Unknown of a vanishing pivot; [`location`](Structure::location) describes it.
     pub fn factorize_mass(&self) -> Result<MassFactors, SingularAt> {
         if self.rows.is_empty() {
-            return Ok(MassFactors(MassKind::Condensed(Condensed::new(&self.rods, self.layout.border)?)));
+            return Ok(MassFactors(MassKind::Condensed(Condensed::new(&self.rods, &self.layout, self.path)?)));
         }
         let mut sum = self.assemble_matrix(|_| ElementMatrix::Mass);
         self.add_constraints(1.0, &mut sum);

@@ -13,8 +13,9 @@ use crate::equations::element::Element;
 use crate::equations::material::YoungPoisson;
 use crate::equations::shape::Vector14;
 use crate::equations::{cable, inertia};
+use crate::lanes::Path;
 use crate::model::plan::Plan;
-use crate::model::{self, Form, Scene, Temperature, ThermalModel};
+use crate::model::{self, Form, Scene, Temperature};
 
 /// Rod, with what all of its elements share.
 #[derive(Debug)]
@@ -41,12 +42,12 @@ pub(super) struct Heat {
 
 impl Rod {
     /// Rod by itself; its unknowns are not numbered yet.
-    pub fn new(scene: &Scene, rod: &model::Rod, plan: &Plan) -> Rod {
+    pub fn new(scene: &Scene, rod: &model::Rod, plan: &Plan, path: Path) -> Rod {
         let from = Vector2::from(scene.points[&rod.from]);
         let along = (Vector2::from(scene.points[&rod.to]) - from) / rod.elements as f64;
         let mesh = match rod.element {
-            model::Element::Ancf => ancf(scene, rod, along, plan),
-            model::Element::EulerBernoulli => euler_bernoulli(scene, rod, along),
+            model::Element::Ancf => ancf(scene, rod, along, plan, path),
+            model::Element::EulerBernoulli => euler_bernoulli(scene, rod, along, path),
         };
         Rod {
             name: rod.name.clone(),
@@ -68,12 +69,7 @@ impl Rod {
     /// Thermal strain (along, across) at time `t`.
     pub fn thermal_strain(&self, t: f64) -> ThermalStrain {
         let Some(Heat { temperature, alpha }) = &self.heat else { return [0.0; 2] };
-        let strain = alpha * temperature.at(t);
-        match temperature.model {
-            ThermalModel::TwoD => [strain, strain],
-            ThermalModel::OneD => [strain, 0.0],
-            ThermalModel::None => [0.0; 2],
-        }
+        temperature.model.strains(alpha * temperature.at(t))
     }
 
     /// Nodal vectors of an element.
@@ -112,16 +108,18 @@ impl Rod {
 }
 
 /// The paper's elements of a rod.
-fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan) -> Box<dyn RodElements> {
+fn ancf(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, plan: &Plan, path: Path) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let (l, h, w, theta) = (along.norm(), section.height, section.width, along.y.atan2(along.x));
     match scene.form {
         Form::Consistent => {
             let law = law(rod, material);
             let beam = Ancf::new(l, h, w, theta, law);
-            uniform(if plan.poisson { beam.with_poissons_terms(law, h, w) } else { beam }, scene, rod, along)
+            uniform(if plan.poisson { beam.with_poissons_terms(law, h, w) } else { beam }, scene, rod, along, path)
         }
-        Form::PrintedShear => uniform(PrintedShear::new(l, h, w, theta, moduli(material).into()), scene, rod, along),
+        Form::PrintedShear => {
+            uniform(PrintedShear::new(l, h, w, theta, moduli(material).into()), scene, rod, along, path)
+        }
     }
 }
 
@@ -131,6 +129,7 @@ fn uniform<B: Beam<14> + Debug + Send + Sync + 'static>(
     scene: &Scene,
     rod: &model::Rod,
     along: Vector2<f64>,
+    path: Path,
 ) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     // Mass and weight do not depend on e₀.
@@ -142,6 +141,8 @@ fn uniform<B: Beam<14> + Debug + Send + Sync + 'static>(
         gravity: inertia::Q_w_gravity(&Vector2::from(scene.gravity), material.rho, &element),
         unit_force: law(rod, material).stiff() * section.height * section.width,
         places: Vec::new(),
+        rows: Vec::new(),
+        path,
         deviations: Vec::new(),
     })
 }
@@ -159,7 +160,7 @@ fn moduli(material: &model::Material) -> YoungPoisson {
 }
 
 /// Euler–Bernoulli elements of a rod.
-fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>) -> Box<dyn RodElements> {
+fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>, path: Path) -> Box<dyn RodElements> {
     let (material, section) = (scene.material(rod), scene.section(rod));
     let area = section.height * section.width;
     let tension = material.youngs_modulus * area;
@@ -173,6 +174,8 @@ fn euler_bernoulli(scene: &Scene, rod: &model::Rod, along: Vector2<f64>) -> Box<
         // Moving an end across by l also bends an element, with more force than its tension if it is higher than long.
         unit_force: tension + 12.0 * bending / (l * l),
         places: Vec::new(),
+        rows: Vec::new(),
+        path,
         deviations: Vec::new(),
     })
 }

@@ -98,8 +98,8 @@ pub(super) trait RodElements: Debug + Send + Sync {
     /// Adds the generalized force of gravity.
     fn add_gravity(&self, sum: &mut DVector<f64>);
 
-    /// Adds the elastic forces.
-    fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, sum: &mut DVector<f64>);
+    /// Adds `factor` times the elastic forces.
+    fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, factor: f64, sum: &mut DVector<f64>);
 
     /// Adds the step-averaged elastic forces.
     fn add_mean_force(&self, ends: &Ends<DVector<f64>>, sum: &mut DVector<f64>);

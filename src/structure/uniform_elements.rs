@@ -5,10 +5,13 @@ use std::fmt::Debug;
 
 use nalgebra::{Complex, DVector, SMatrix, SVector, Vector2};
 
-use super::element_dofs::{ElementDofs, gather, scatter};
+use super::element_dofs::ElementDofs;
 use super::node_dofs::NodeDofs;
 use super::rod_elements::{ElementMatrix, RodElements, RodInstant};
-use crate::elements::{Beam, Deviation, Ends, LANES, NodalVector, SectionState, ThermalStrain};
+use super::row::Row;
+use super::sweep::{Energy, Forces, HeatingWork, IsWhole, MeanForces, Momenta, Sweep};
+use crate::elements::{Beam, Deviation, Ends, NodalVector, SectionState, ThermalStrain};
+use crate::lanes::Path;
 use crate::linear::{BlockMut, Chain, FrontalChain, NO_UNKNOWN};
 
 /// Equal elements of one type with `N` nodal coordinates each.
@@ -22,6 +25,10 @@ pub(super) struct UniformElements<B, const N: usize> {
     pub unit_force: f64,
     /// Unknowns of the elements; empty until they are numbered.
     pub places: Vec<ElementDofs<N>>,
+    /// The same, of four elements at a time.
+    pub rows: Vec<Row<N>>,
+    /// Instructions that they are computed with.
+    pub path: Path,
     /// Stress-free deviations of the elements; empty for a straight rod.
     pub deviations: Vec<Deviation<N>>,
 }
@@ -72,19 +79,8 @@ impl<B: Beam<N>, const N: usize> UniformElements<B, N> {
         }
     }
 
-    /// Product M a. The matrix is the same for x and y and does not couple them: half of it is zero.
-    #[inline(always)]
-    fn momentum(&self, a: &SVector<f64, N>) -> SVector<f64, N> {
-        let (mut sum, a) = (SVector::<f64, N>::zeros(), a.as_slice().as_chunks::<2>().0);
-        let sums = sum.as_mut_slice().as_chunks_mut::<2>().0;
-        for (column, a) in a.iter().enumerate() {
-            for (row, sum) in sums.iter_mut().enumerate() {
-                let mass = self.mass[(2 * row, 2 * column)];
-                sum[0] += mass * a[0];
-                sum[1] += mass * a[1];
-            }
-        }
-        sum
+    fn sweep(&self) -> Sweep<'_, B, N> {
+        Sweep { beam: &self.beam, rows: &self.rows }
     }
 
     fn unknowns(&self) -> impl Iterator<Item = [u32; N]> {
@@ -111,6 +107,7 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
 
     fn number(&mut self, chain: &[NodeDofs]) {
         self.places = chain.windows(N / 2).step_by(Self::STRIDE).map(ElementDofs::of).collect();
+        self.rows = Row::of(chain);
     }
 
     fn deviate(&mut self, u: &DVector<f64>) {
@@ -148,9 +145,8 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
     }
 
     fn add_inertia(&self, a: &DVector<f64>, sum: &mut DVector<f64>) {
-        for place in &self.places {
-            place.scatter(self.momentum(&place.gather(a)), sum);
-        }
+        let (a, sum) = (a.as_slice(), sum.as_mut_slice());
+        self.path.run(Momenta { sweep: self.sweep(), mass: &self.mass, a, sum });
     }
 
     fn add_gravity(&self, sum: &mut DVector<f64>) {
@@ -159,30 +155,16 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
         }
     }
 
-    fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, sum: &mut DVector<f64>) {
-        for places in self.places.chunks(LANES) {
-            if let [place] = places {
-                place.scatter(self.beam.force(&place.gather(u), eps_t), sum);
-            } else {
-                scatter(places, self.beam.forces(&gather(places, u), eps_t), sum);
-            }
-        }
+    fn add_force(&self, u: &DVector<f64>, eps_t: ThermalStrain, factor: f64, sum: &mut DVector<f64>) {
+        let sweep = self.sweep();
+        self.path.run(Forces { sweep, u: u.as_slice(), eps_T: eps_t, factor, sum: sum.as_mut_slice() });
         for (place, deviation) in self.places.iter().zip(&self.deviations) {
-            place.scatter(deviation.force(&place.gather(u)), sum);
+            place.scatter(factor * deviation.force(&place.gather(u)), sum);
         }
     }
 
     fn add_mean_force(&self, ends: &Ends<DVector<f64>>, sum: &mut DVector<f64>) {
-        let &Ends { thermal_0, thermal_1, .. } = ends;
-        for places in self.places.chunks(LANES) {
-            if let [place] = places {
-                place.scatter(place.over(ends, |ends| self.beam.mean_force(ends)), sum);
-            } else {
-                let (u_0, u_1) = (gather(places, ends.u_0), gather(places, ends.u_1));
-                let ends = Ends { u_0: &u_0, u_1: &u_1, thermal_0, thermal_1 };
-                scatter(places, self.beam.mean_forces(&ends), sum);
-            }
-        }
+        self.path.run(MeanForces { sweep: self.sweep(), ends: slices(ends), sum: sum.as_mut_slice() });
         for (place, deviation) in self.places.iter().zip(&self.deviations) {
             let middle = 0.5 * (place.gather(ends.u_0) + place.gather(ends.u_1));
             place.scatter(deviation.force(&middle), sum);
@@ -216,19 +198,22 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
     }
 
     fn collapsed(&self, before: &DVector<f64>, u: &DVector<f64>) -> Option<usize> {
+        if self.path.run(IsWhole { sweep: self.sweep(), before: before.as_slice(), u: u.as_slice() }) {
+            return None;
+        }
         let min_det_j = |place: &ElementDofs<N>| self.beam.min_det_j(&place.gather(before), &place.gather(u));
         // A NaN is not over 0.
         self.places.iter().position(|place| min_det_j(place).partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater))
     }
 
     fn energy(&self, u: &DVector<f64>, eps_t: ThermalStrain) -> f64 {
-        let straight: f64 = self.places.iter().map(|place| self.beam.energy(&place.gather(u), eps_t)).sum();
+        let straight = self.path.run(Energy { sweep: self.sweep(), u: u.as_slice(), eps_T: eps_t });
         let deviated = self.places.iter().zip(&self.deviations);
         straight + deviated.map(|(place, deviation)| deviation.energy(&place.gather(u), eps_t)).sum::<f64>()
     }
 
     fn heating_work(&self, ends: &Ends<DVector<f64>>) -> f64 {
-        let straight: f64 = self.places.iter().map(|place| place.over(ends, |ends| self.beam.heating_work(ends))).sum();
+        let straight = self.path.run(HeatingWork { sweep: self.sweep(), ends: slices(ends) });
         let change = [0, 1].map(|n| ends.thermal_1[n] - ends.thermal_0[n]);
         straight + self.deviations.iter().map(|deviation| deviation.heating_work(change)).sum::<f64>()
     }
@@ -257,6 +242,12 @@ impl<B: Beam<N> + Debug + Send + Sync, const N: usize> RodElements for UniformEl
             place.scatter(tangent * place.gather(x), sum);
         }
     }
+}
+
+/// Both ends of a step as slices.
+fn slices<'a>(ends: &Ends<'a, DVector<f64>>) -> Ends<'a, [f64]> {
+    let &Ends { u_0, u_1, thermal_0, thermal_1 } = ends;
+    Ends { u_0: u_0.as_slice(), u_1: u_1.as_slice(), thermal_0, thermal_1 }
 }
 
 /// Change of a nodal vector under stretches minus 1 (along, across); the element spans `along`, and its node i is at

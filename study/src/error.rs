@@ -64,19 +64,38 @@ pub enum Error {
         /// The drawing library's reason.
         reason: String,
     },
-    /// A cell of a table that was read is not allowed there.
-    #[error("{file}:{line}: `{column}` is {value}; allowed: {allowed}")]
-    Table {
+    /// Another program, with which this one is compared, does not answer.
+    #[error(
+        "the program `{command}` cannot be measured: {reason}; allowed: a command that answers as `python -m oracle.peers` does"
+    )]
+    Peer {
+        /// Its command.
+        command: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A scene of the user's own that the study cannot use.
+    #[error("{file}: `{key}` is {value}; allowed: {allowed}")]
+    Scene {
         /// The file.
         file: String,
-        /// Line number, counted from 1; the heading is line 1.
-        line: u64,
-        /// Name of the column.
-        column: String,
-        /// The offending value as it was written.
+        /// The key.
+        key: String,
+        /// Its value.
         value: String,
         /// What would have been accepted.
         allowed: String,
+    },
+    /// No accuracy is certain in a scene of the user's own.
+    #[error(
+        "no run of {scene} is certain to any accuracy: its reference is known to {uncertainty:.0e} m only; allowed: a smoother start, a shorter \
+         `time.end`, or finer `elements` to converge from"
+    )]
+    Undecided {
+        /// The scene.
+        scene: String,
+        /// Uncertainty of its reference, m.
+        uncertainty: f64,
     },
     /// A result is farther from its reference than its bound allows.
     #[error("{count} comparison(s) with the reference failed; the first: {first}")]
@@ -98,7 +117,8 @@ impl Error {
     pub fn is_bad_input(&self) -> bool {
         match self {
             Error::Run(error) => error.is_bad_input(),
-            Error::Name { .. } | Error::Table { .. } | Error::Read { .. } | Error::OverwritesInput { .. } => true,
+            Error::Name { .. } | Error::Peer { .. } | Error::Scene { .. } | Error::Read { .. } => true,
+            Error::OverwritesInput { .. } => true,
             _ => false,
         }
     }

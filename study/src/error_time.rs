@@ -1,17 +1,25 @@
-//! `ancf error-time`: error against run time of every method, mesh and step on the paper's scenes.
+//! `ancf error-time`: error against run time of every method, mesh and step, on the paper's scenes or on one of the user's own.
 //!
-//! `benchmarks` has the scenes, `technique` the methods. `grid` tries steps on meshes, and compares each run with a reference that
-//! `converge` has written. `pareto` finds the points that are worth their time, `peers` reads the runs of another program.
+//! `benchmarks` has the scenes, `own` makes one of a file, `technique` has the methods. `grid` tries steps on meshes, and compares each run, read
+//! by `trace`, with a reference that `converge` has made. `pareto` finds the points that are worth their time; `finals` times them in turns with
+//! those of another program, which `peer` asks.
 
 pub(crate) mod benchmark;
 pub(crate) mod benchmarks;
+mod clock;
 mod converge;
+mod core;
 mod economies;
+mod finals;
 mod grid;
 mod group;
+#[cfg(test)]
+mod labels;
 mod machine;
+mod own;
 mod page;
 mod pareto;
+mod peer;
 mod peers;
 mod picture;
 mod point;
@@ -25,28 +33,31 @@ pub(crate) mod technique;
 #[cfg(test)]
 mod tests;
 mod timing;
+mod trace;
+mod turns;
+mod winner;
 mod wording;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::files::{Files, written_lines};
 use crate::parallel::progress_bar;
 use crate::scene::ELEMENTS;
 use ancf::model::Element;
 use benchmarks::named;
+use core::OneCore;
 use grid::{Limits, Subject};
 use group::Group;
 use machine::Machine;
 pub(crate) use page::fastest_by_group as fastest;
-use peers::Peer;
+use peer::Peer;
+use point::Point;
 use reference::Reference;
+use setup::Setup;
 pub(crate) use study::ErrorTimeStudy;
 pub use study::Options;
-
-/// File of the other program's runs.
-const PEERS: &str = "peers.csv";
 
 /// Files that the study writes.
 pub(crate) const FILES: [&str; 4] = ["error-time.csv", "error-time.json", "error-time.svg", "error-time.html"];
@@ -57,26 +68,32 @@ const QUICK_SCENE: &str = "pendulum-flexible";
 /// `ancf error-time`: measures, prints and writes.
 ///
 /// # Errors
-/// [`Error::Name`](crate::error::Error::Name) for a scene that is not in the study, [`Error::Table`](crate::error::Error::Table) for a malformed
-/// file of the other program, [`Error::Fixture`](crate::error::Error::Fixture) for a missing or broken reference,
-/// [`Error::Write`](crate::error::Error::Write). Runs that fail are points of the result.
+/// [`Error::Name`] for a scene that is not in the study, [`Error::Scene`] for a scene file that cannot be studied, [`Error::Peer`] for another
+/// program that does not answer, [`Error::Fixture`] for a missing or broken reference, [`Error::Write`]. [`Error::Undecided`] if no accuracy is
+/// certain in a scene of the user's own; the files are written all the same. Runs that fail are points of the result.
 pub fn study(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
+    let own: Vec<&Path> = options.scenes.iter().filter(|name| own::is_file(name)).map(Path::new).collect();
     // First, so that a folder that cannot be written is found before the work.
-    let mut files = Files::in_folder(out, FILES, &[&peers_file(options, out)])?;
-    let (study, _) = part(options, out, &mut files, &print)?;
+    let mut files = Files::in_folder(out, FILES, &own)?;
+    let (study, _) = part(options, &mut files, &print)?;
     print(&written_lines(&files.publish()?))?;
-    print(&format!("{:.1} s in all\n", study.wall_seconds))
+    print(&format!("{:.1} s in all\n", study.wall_seconds))?;
+    let undecided = study.groups.iter().find(|group| group.decades().iter().all(|(_, point)| point.is_none()));
+    match undecided {
+        Some(group) if !own.is_empty() => {
+            Err(Error::Undecided { scene: group.scene.into(), uncertainty: group.reference.uncertainty })
+        }
+        _ => Ok(()),
+    }
 }
 
-/// The study as a part of another job: measures, prints and adds to its files. Returns the study and the picture. `out` is the folder with
-/// the other program's runs.
+/// The study as a part of another job: measures, prints and adds to its files. Returns the study and the picture.
 pub(crate) fn part(
     options: &Options,
-    out: &Path,
     files: &mut Files,
     print: impl Fn(&str) -> Result<()>,
 ) -> Result<(ErrorTimeStudy, String)> {
-    let study = measure(options, out, &print)?;
+    let study = measure(options, &print)?;
     let svg = picture::svg(&study.groups)?;
     let html = page::page(&study, &svg);
     let points = study.groups.iter().flat_map(Group::all_points);
@@ -87,76 +104,117 @@ pub(crate) fn part(
     Ok((study, svg))
 }
 
-fn measure(options: &Options, out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<ErrorTimeStudy> {
+fn measure(options: &Options, print: impl Fn(&str) -> Result<()>) -> Result<ErrorTimeStudy> {
     let clock = Instant::now();
-    let (rows, peers) = read_peers(options, out)?;
-    let subjects = subjects(options)?;
-    let limits = if options.quick { Limits::QUICK } else { Limits::FULL };
+    let own = options.scenes.iter().any(|name| own::is_file(name));
+    let limits = match (options.quick, own) {
+        (true, _) => Limits::QUICK,
+        (false, true) => Limits::OWN,
+        (false, false) => Limits::FULL,
+    };
+    let mut other = options.peer.as_deref().map(Peer::start).transpose()?;
+    let peer = other.as_ref().map_or_else(
+        || format!("No other program was measured: `--peer \"{}\"` does.", peer::COMMAND),
+        |other| format!("{} ({}), in turns with this one on the same core.", other.name, other.build),
+    );
     let machine = Machine::here();
-    print(&format!("Error against run time. {}\n{peers}\n\n", machine.line()))?;
-
+    print(&format!("Error against run time. {}\n{peer}\n\n", machine.line()))?;
+    // References of scenes of the user's own take all cores; what is measured has one.
+    let scenes = scenes(options)?;
+    let _one = OneCore::keep();
     // The bar has no thread of its own, which would disturb the times.
     let mesh_runs = |subject: &Subject| subject.meshes(&limits).len() * subject.techniques().count();
-    let bar = progress_bar("", subjects.iter().map(mesh_runs).sum());
-    let (mut groups, mut peer_rows) = (Vec::new(), Vec::new());
-    for subject in &subjects {
-        bar.set_message(format!("{}, {}", subject.benchmark.scene, subject.element));
-        let mut group = Group::new(subject, subject.points(&limits, || bar.inc(1))?)?;
-        // The other program's errors are distances from the limit of its own theory, in the groups of both elements.
-        let theirs = Reference::embedded(subject.benchmark, Element::EulerBernoulli)?;
-        let of_scene = rows.iter().filter(|row| row.benchmark == subject.benchmark).cloned();
-        let compared: Vec<Peer> = of_scene.map(|row| row.compared(&theirs)).collect();
-        group.peers = compared.iter().map(|peer| peer.point.clone()).collect();
-        if group.is_euler_bernoulli() {
-            peer_rows.extend(compared);
+    let bar = progress_bar("", scenes.iter().flatten().map(mesh_runs).sum());
+    let mut groups = Vec::new();
+    for subjects in &scenes {
+        for group in scene_groups(subjects, &limits, options.quick, other.as_mut(), &bar)? {
+            bar.suspend(|| print(&printed::group(&group)))?;
+            groups.push(group);
         }
-        bar.suspend(|| print(&printed::group(&group)))?;
-        groups.push(group);
     }
     bar.finish_and_clear();
-    let economies = economies::measure()?;
-    print(&format!(
-        "Economies, each left out where a scene does not need it:\n{}\n",
-        tables::economies(&economies).text()
-    ))?;
-    let wall_seconds = clock.elapsed().as_secs_f64();
-    Ok(ErrorTimeStudy { options: options.clone(), machine, wall_seconds, peers, peer_rows, groups, economies })
-}
-
-/// The scenes with both elements, and their references.
-fn subjects(options: &Options) -> Result<Vec<Subject>> {
-    let quick = options.quick && options.scenes.is_empty();
-    let benchmarks = if quick { named(&[QUICK_SCENE.into()])? } else { named(&options.scenes)? };
-    let pairs = benchmarks.into_iter().flat_map(|benchmark| ELEMENTS.map(|element| (benchmark, element)));
-    let subject =
-        |(benchmark, element)| Ok(Subject { benchmark, element, reference: Reference::embedded(benchmark, element)? });
-    pairs.map(subject).collect()
-}
-
-/// File with the other program's rows.
-fn peers_file(options: &Options, out: &Path) -> PathBuf {
-    options.peers.clone().unwrap_or_else(|| out.join(PEERS))
-}
-
-/// The other program's rows, and a sentence on them.
-fn read_peers(options: &Options, out: &Path) -> Result<(Vec<Peer>, String)> {
-    let file = peers_file(options, out);
-    if options.peers.is_none() && !file.exists() {
-        let how = format!("`{} --out {}` does", peers::COMMAND, file.display());
-        return Ok((Vec::new(), format!("No other program was measured: {how}.")));
+    let economies = if own || options.quick { Vec::new() } else { economies::measure()? };
+    if !economies.is_empty() {
+        print(&format!(
+            "Economies, each left out where a scene does not need it:\n{}\n",
+            tables::economies(&economies).text()
+        ))?;
     }
-    let rows = peers::read(&file)?;
-    let mut programs: Vec<&str> = rows.iter().map(|row| row.point.program.as_str()).collect();
-    programs.sort_unstable();
-    programs.dedup();
-    let sentence = format!("{}: {} runs, {}.", programs.join(", "), rows.len(), file.display());
-    Ok((rows, sentence))
+    let (winners, wall_seconds) = (winner::winners(&groups), clock.elapsed().as_secs_f64());
+    Ok(ErrorTimeStudy { options: options.clone(), machine, wall_seconds, peer, groups, winners, economies })
+}
+
+/// Runs the grids of a scene's elements and of the other program, and times the finalists in turns.
+fn scene_groups(
+    subjects: &[Subject],
+    limits: &Limits,
+    quick: bool,
+    mut other: Option<&mut Peer>,
+    bar: &indicatif::ProgressBar,
+) -> Result<Vec<Group>> {
+    let Some(first) = subjects.first() else { return Ok(Vec::new()) };
+    let mut ours: Vec<Vec<(Setup, Point)>> = Vec::new();
+    for subject in subjects {
+        bar.set_message(format!("{}, {}", subject.benchmark.scene, subject.element));
+        ours.push(subject.points(limits, || bar.inc(1))?);
+    }
+    // The other program's element without shear has the limit of ours.
+    let euler_bernoulli = subjects.iter().find(|subject| subject.element == Element::EulerBernoulli);
+    let mut theirs = match (&mut other, euler_bernoulli) {
+        (Some(other), Some(known)) => peers::points(other, first.benchmark, &known.reference, quick)?,
+        _ => Vec::new(),
+    };
+    bar.set_message(format!("{}, in turns", first.benchmark.scene));
+    finals::hold(first.benchmark.unit, &mut ours, &mut theirs, other)?;
+    let theirs: Vec<Point> = theirs.into_iter().map(|peer| peer.point).collect();
+    let group = |(subject, points): (&Subject, Vec<(Setup, Point)>)| {
+        let mut group = Group::new(subject, points.into_iter().map(|(_, point)| point).collect())?;
+        group.compare(&theirs);
+        Ok(group)
+    };
+    subjects.iter().zip(ours).map(group).collect()
+}
+
+/// The scenes, each with its elements and their references.
+fn scenes(options: &Options) -> Result<Vec<Vec<Subject>>> {
+    if options.scenes.is_empty() {
+        let benchmarks = if options.quick { named(&[QUICK_SCENE.into()])? } else { named(&[])? };
+        return benchmarks.into_iter().map(embedded).collect();
+    }
+    // Names and files are all looked at before the first one is computed.
+    let own = |name: &String| if own::is_file(name) { own::benchmark(name).map(Some) } else { Ok(None) };
+    let owns: Vec<_> = options.scenes.iter().map(own).collect::<Result<_>>()?;
+    let pairs = options.scenes.iter().zip(owns);
+    let subjects: Vec<Vec<Subject>> = pairs
+        .clone()
+        .filter(|(_, own)| own.is_none())
+        .map(|(name, _)| embedded(benchmarks::of(name)?))
+        .collect::<Result<_>>()?;
+    let mut subjects = subjects.into_iter();
+    let mut found = Vec::new();
+    for (_, own) in pairs {
+        found.extend(match own {
+            None => subjects.next(),
+            Some((benchmark, element)) => {
+                let references = converge::references(&[(benchmark, element)], own::LONGEST_RUN)?;
+                let subjects = references.into_iter().map(|reference| Subject::new(benchmark, element, reference));
+                Some(subjects.collect::<Result<Vec<_>>>()?)
+            }
+        });
+    }
+    Ok(found)
+}
+
+/// A scene of the study with both elements.
+fn embedded(benchmark: &'static benchmark::Benchmark) -> Result<Vec<Subject>> {
+    let subject = |element| Subject::new(benchmark, element, Reference::embedded(benchmark, element)?);
+    ELEMENTS.into_iter().map(subject).collect()
 }
 
 /// `ancf error-time --references`: writes the converged references of the scenes into a folder, and returns their paths.
 ///
 /// # Errors
-/// Those of the runs; [`Error::Name`](crate::error::Error::Name), [`Error::Write`](crate::error::Error::Write).
+/// Those of the runs; [`Error::Name`], [`Error::Write`].
 pub fn references(scenes: &[String], folder: &Path) -> Result<Vec<PathBuf>> {
     converge::write_references(&named(scenes)?, folder)
 }

@@ -115,7 +115,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
     let of_structure: Vec<Statement> = claims.iter().map(Statement::from).collect();
     let readings = Readings::kept()?;
     let agreeing = readings.agree(&of_structure);
-    checked(Check::of("statements on the structure, as the study of readings found them", agreeing))?;
+    checked(Check::of("verdicts on the structure, the same as in the stored study of readings", agreeing))?;
     let of_structure: Vec<Statement> = of_structure.into_iter().map(|statement| readings.judge(statement)).collect();
     print("\nThe paper on its pendulum (Section 3), measured\n")?;
     print(&first_screen::verdicts(&of_pendulum))?;
@@ -124,7 +124,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
 
     // On an idle machine: it measures times.
     let options = error_time::Options { quick: true, ..Default::default() };
-    let (error_time, error_time_picture) = error_time::part(&options, out, &mut files, |_| Ok(()))?;
+    let (error_time, error_time_picture) = error_time::part(&options, &mut files, |_| Ok(()))?;
 
     let compared = oracle.iter().chain(&continuum).chain(&structures);
     let failed = compared.filter(|row| !row.holds()).map(ToString::to_string);

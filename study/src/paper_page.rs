@@ -74,15 +74,29 @@ const STRUCTURE: [Scene; 3] = [
         title: "Deflections",
         text: "Deflection of the rods' middles from the chord, with and without heat.",
         pictures: &["figure7.svg"],
-        statements: 0..5,
+        statements: 0..6,
     },
     Scene {
         title: "The point a4",
         text: "The sudden force starts axial waves without damping: acceleration at an instant does not converge with mesh and step. Its mean over \
                20 ms does.",
         pictures: &["figure8-x.svg", "figure8-y.svg"],
-        statements: 5..10,
+        statements: 6..11,
     },
+];
+
+/// Errors in the paper's equations, which `oracle/` proves and `tests/errata.rs` shows.
+const ERRORS: [[&str; 5]; 4] = [
+    ["E1", "(A.3), a₁", "… + rᵏ …", "… − rᵏ …", "the nodal conditions (A.2) are missed"],
+    ["E2", "(21), K₃", "S_c1 (eᵀS_c e − 1)", "S_c1 (eᵀS_c e)", "the undeformed element is not in equilibrium"],
+    [
+        "E3",
+        "(16), (18)",
+        "shear energy ½·2μ ε₁₂²",
+        "½·4μ ε₁₂²",
+        "a rod at 45° loses a quarter of its bending stiffness",
+    ],
+    ["E4", "(23)", "Φ_q λ", "Φ_qᵀ λ", "reactions do work on motions that the constraints allow"],
 ];
 
 /// The page.
@@ -96,6 +110,11 @@ pub fn page(story: &Story) -> String {
     html.verdicts(pendulum.iter().enumerate().map(|(n, statement)| (id("pendulum", n), statement)));
     html.subheading("Of the structure, Section 4, under eight readings of figures that its text does not have");
     html.verdicts(structure.iter().enumerate().map(|(n, statement)| (id("structure", n), statement)));
+    html.section("errors", "Errors in the equations");
+    html.table(&Table::new(
+        "error | where | printed | must be | how it shows",
+        ERRORS.iter().map(|row| row.map(Into::into).to_vec()),
+    ));
     html.section("section-3", "Section 3: the heated pendulum");
     PENDULUM.iter().for_each(|scene| story.scene(&mut html, "pendulum", pendulum, scene));
     html.section("section-4", "Section 4: the deployable structure");

@@ -1,6 +1,6 @@
 //! `fixtures/pendulum.json`.
 
-use ancf::model::Element;
+use ancf::model::{Element, Scene, ThermalModel};
 use serde::Deserialize;
 
 #[derive(Deserialize)]
@@ -36,14 +36,24 @@ impl Pendulum {
 }
 
 impl OracleRun {
-    /// The built-in scene of the same model and start.
-    pub fn scene(&self) -> &'static str {
+    /// The scene of the same model, start, element and mesh.
+    pub fn scene(&self) -> Scene {
+        let mut scene = Scene::builtin(self.builtin()).unwrap();
+        (scene.rods[0].element, scene.rods[0].elements) = (self.element, self.elements);
+        if self.model == "transverse" {
+            scene.temperature.as_mut().unwrap().model = ThermalModel::Transverse;
+        }
+        scene
+    }
+
+    /// The built-in scene of the same start and, but for heat across alone, model.
+    fn builtin(&self) -> &'static str {
         match (self.model.as_str(), self.start.as_deref()) {
             ("none", None) => "pendulum-flexible",
             ("1d", Some("sudden")) => "pendulum-1d",
-            ("2d", Some("sudden")) => "pendulum-2d",
+            ("2d" | "transverse", Some("sudden")) => "pendulum-2d",
             ("1d", Some("relaxed")) => "pendulum-1d-relaxed",
-            ("2d", Some("relaxed")) => "pendulum-2d-relaxed",
+            ("2d" | "transverse", Some("relaxed")) => "pendulum-2d-relaxed",
             other => panic!("{}: unknown model {other:?}", self.id),
         }
     }

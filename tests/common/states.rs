@@ -115,7 +115,12 @@ fn coordinates(position: f64, slope: f64) -> impl Strategy<Value = Vector14> {
 
 /// Any inclination, from stubby to slender, displacements of the element's own size, hot and cold.
 pub fn states() -> impl Strategy<Value = State> {
-    let model = prop_oneof![Just(ThermalModel::TwoD), Just(ThermalModel::OneD), Just(ThermalModel::None)];
+    let model = prop::sample::select(vec![
+        ThermalModel::TwoD,
+        ThermalModel::OneD,
+        ThermalModel::Transverse,
+        ThermalModel::None,
+    ]);
     let geometry = (logarithmic(0.1..5.0), logarithmic(1.0..100.0), logarithmic(1e-3..1.0), -3.2..3.2);
     let material = (logarithmic(1.0..1e11), -0.9..0.49, logarithmic(1.0..1e4), model);
     (geometry, material).prop_flat_map(|((l, slenderness, w, theta), (E, nu, rho, model))| {
@@ -156,6 +161,10 @@ impl State {
         match self.model {
             ThermalModel::TwoD => strain::eps_T(1.0, self.heat[time]),
             ThermalModel::OneD => strain::eps_T_1d(1.0, self.heat[time], self.theta),
+            ThermalModel::Transverse => {
+                let (sin, cos) = self.theta.sin_cos();
+                self.heat[time] * Vector3::new(sin * sin, cos * cos, -sin * cos)
+            }
             _ => Vector3::zeros(),
         }
     }
@@ -165,6 +174,7 @@ impl State {
         match self.model {
             ThermalModel::TwoD => [self.heat[time], self.heat[time]],
             ThermalModel::OneD => [self.heat[time], 0.0],
+            ThermalModel::Transverse => [0.0, self.heat[time]],
             _ => [0.0, 0.0],
         }
     }

@@ -1,5 +1,5 @@
 // `node tests/wasm/compare.mjs WASM PROGRAM`: scenes that ran in WebAssembly have the rows of the native program, to 1e-12 of each
-// column's largest value. Both round alike but for the functions of the mathematical library.
+// column's largest value. On the portable path both round alike but for the functions of the mathematical library.
 import { execFileSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -24,7 +24,7 @@ for (let scene = 0; ; scene++) {
   const cut = answer.indexOf('\n')
   const folder = mkdtempSync(join(tmpdir(), 'ancf-wasm-'))
   writeFileSync(join(folder, 'scene.json'), answer.slice(0, cut))
-  execFileSync(program, ['run', 'scene.json'], { cwd: folder })
+  execFileSync(program, ['run', 'scene.json'], { cwd: folder, env: { ...process.env, ANCF_PORTABLE: '1' } })
   const native = table(readFileSync(join(folder, 'out', 'trajectory.csv'), 'utf8'))
   rmSync(folder, { recursive: true })
   const own = table(answer.slice(cut + 1))

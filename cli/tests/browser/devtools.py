@@ -91,14 +91,18 @@ class Browser:
         return answer["result"].get("value")
 
     def open(self, file: Path) -> None:
-        """Opens a file and waits until it is loaded; faults and requests are those of this page from now on."""
+        """Opens a file."""
+        self.visit(file.resolve().as_uri())
+
+    def visit(self, url: str) -> None:
+        """Opens a page and waits until it is loaded; faults and requests are those of this page from now on."""
         self.faults, self.requests, self.loaded = [], [], False
-        self.call("Page.navigate", url=file.resolve().as_uri())
+        self.call("Page.navigate", url=url)
         for _ in range(200):
             if self.loaded:
                 return
             self.run("new Promise((done) => setTimeout(done, 50))")
-        raise RuntimeError(f"{file} is not loaded after 10 s")
+        raise RuntimeError(f"{url} is not loaded after 10 s")
 
     def key(self, key: str, code: int) -> None:
         """Presses a key."""

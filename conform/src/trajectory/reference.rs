@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use ancf::internals::model::nearest;
+use ancf::internals::model::{Words, nearest};
 use ancf::model::{Element, Material, Model, Rod, Scene, Section, Support, Temperature, ThermalModel};
 use serde_json::Value;
 
@@ -105,7 +105,7 @@ fn hinged(parameters: &Value, element: Element, elements: usize, model: &str, st
     .support(Support::pinned("hinge"))
     .gravity([0.0, -number("g")?]);
     if model != "none" {
-        let model = if model == "2d" { ThermalModel::TwoD } else { ThermalModel::OneD };
+        let model = ThermalModel::from_word(model)?;
         let heat = Temperature::new(model, vec![[0.0, number("dT")?]]);
         scene = scene.temperature(if start == Some("relaxed") { heat.relaxed() } else { heat });
     }

@@ -66,6 +66,7 @@ impl Rod {
         match heat.model {
             ThermalModel::TwoD => self.heat_factors.map(|factor| factor * strain),
             ThermalModel::OneD => [self.heat_factors[0] * strain, 0.0],
+            ThermalModel::Transverse => [0.0, self.heat_factors[1] * strain],
             _ => [0.0; 2],
         }
     }

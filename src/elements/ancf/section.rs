@@ -4,7 +4,7 @@
 
 #![allow(non_snake_case)] // The symbols of the derivation are names here: A, I, N, H.
 
-use crate::elements::plane::{Block, Scalar, Vec2, Vector};
+use crate::elements::plane::{Block, Vec2, Vector};
 use crate::equations::material::{self, LameConstants, YoungPoisson};
 use crate::model::Poisson;
 
@@ -52,26 +52,26 @@ impl Law {
 
 /// Current vectors of a section: tangent r', director d and its derivative κ = d'.
 #[derive(Clone, Copy)]
-pub(super) struct Section<V> {
-    pub r_x: V,
-    pub d: V,
-    pub kappa: V,
+pub(super) struct Section {
+    pub r_x: Vec2,
+    pub d: Vec2,
+    pub kappa: Vec2,
 }
 
 /// Generalized strains of a section, the forces conjugate to them, or rates of either.
 #[derive(Clone, Copy)]
-pub(super) struct Resultants<S> {
+pub(super) struct Resultants {
     /// ε₁₁ = a₀ + a₁y + a₂y².
-    pub a: [S; 3],
+    pub a: [f64; 3],
     /// ε₂₂ = c.
-    pub c: S,
+    pub c: f64,
     /// 2ε₁₂ = g₀ + g₁y.
-    pub g: [S; 2],
+    pub g: [f64; 2],
 }
 
-impl<S: Scalar> Resultants<S> {
+impl Resultants {
     #[inline(always)]
-    pub fn zip(self, other: Self, f: impl Fn(S, S) -> S) -> Self {
+    pub fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         Resultants {
             a: [0, 1, 2].map(|n| f(self.a[n], other.a[n])),
             c: f(self.c, other.c),
@@ -80,17 +80,17 @@ impl<S: Scalar> Resultants<S> {
     }
 
     #[inline(always)]
-    pub fn map(self, f: impl Fn(S) -> S) -> Self {
+    pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Resultants { a: self.a.map(&f), c: f(self.c), g: self.g.map(&f) }
     }
 
     #[inline(always)]
     pub fn mean(self, other: Self) -> Self {
-        self.zip(other, |a, b| S::of(0.5) * (a + b))
+        self.zip(other, |a, b| 0.5 * (a + b))
     }
 
     #[inline(always)]
-    pub fn dot(self, other: Self) -> S {
+    pub fn dot(self, other: Self) -> f64 {
         let Resultants { a, c, g } = self.zip(other, |a, b| a * b);
         a[0] + a[1] + a[2] + c + g[0] + g[1]
     }
@@ -100,11 +100,11 @@ impl<S: Scalar> Resultants<S> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SectionLaw {
     /// (λ + 2μ)A, or EA.
-    axial: f64,
+    pub axial: f64,
     /// Modulus of bending times I, and times ∫ y⁴ dA.
-    bending: [f64; 2],
+    pub bending: [f64; 2],
     /// μA and μI.
-    shear: [f64; 2],
+    pub shear: [f64; 2],
     /// λA, and λI where Poisson's terms act across the section. `None` without them: ν = 0, or the uniaxial law.
     pub coupling: Option<[f64; 2]>,
 }
@@ -135,18 +135,18 @@ impl SectionLaw {
 
     /// Section forces: C times the section strains.
     #[inline(always)]
-    pub fn forces<S: Scalar>(&self, strains: &Resultants<S>) -> Resultants<S> {
+    pub fn forces(&self, strains: &Resultants) -> Resultants {
         let Resultants { a, c, g } = *strains;
-        let (EA, [EI, EI_4]) = (S::of(self.axial), self.bending.map(S::of));
+        let (EA, [EI, EI_4]) = (self.axial, self.bending);
         let mut N = Resultants {
             a: [EA * a[0] + EI * a[2], EI * a[1], EI * a[0] + EI_4 * a[2]],
             c: EA * c,
-            g: [S::of(self.shear[0]) * g[0], S::of(self.shear[1]) * g[1]],
+            g: [self.shear[0] * g[0], self.shear[1] * g[1]],
         };
-        if let Some([on_axis, across]) = self.coupling.map(|coupling| coupling.map(S::of)) {
-            N.a[0] = N.a[0] + on_axis * c;
-            N.a[2] = N.a[2] + across * c;
-            N.c = N.c + on_axis * a[0] + across * a[2];
+        if let Some([on_axis, across]) = self.coupling {
+            N.a[0] += on_axis * c;
+            N.a[2] += across * c;
+            N.c += on_axis * a[0] + across * a[2];
         }
         N
     }
@@ -157,26 +157,26 @@ pub(super) type Stiffness = [[Block; 3]; 3];
 
 /// Second derivative of the strains in p, δ and κ, contracted with the forces `N`: factors of unit matrices.
 #[inline(always)]
-pub(super) fn geometric(N: &Resultants<f64>) -> [[f64; 3]; 3] {
+pub(super) fn geometric(N: &Resultants) -> [[f64; 3]; 3] {
     let Resultants { a, c, g } = *N;
     [[a[0], g[0], a[1]], [g[0], c, g[1]], [a[1], g[1], a[2]]]
 }
 
-impl<V: Vector> Section<V> {
+impl Section {
     #[inline(always)]
     pub fn midpoint(&self, other: &Self) -> Self {
-        let half = V::Number::of(0.5);
+        let half = 0.5;
         Section {
-            r_x: (self.r_x + other.r_x).times(half),
-            d: (self.d + other.d).times(half),
-            kappa: (self.kappa + other.kappa).times(half),
+            r_x: (self.r_x + other.r_x) * half,
+            d: (self.d + other.d) * half,
+            kappa: (self.kappa + other.kappa) * half,
         }
     }
 }
 
-impl Section<Vec2> {
+impl Section {
     /// Linear change of the strains from `before`: their derivatives there times the change of p, δ and κ.
-    pub fn change_since(&self, before: &Self) -> Resultants<f64> {
+    pub fn change_since(&self, before: &Self) -> Resultants {
         let Section { r_x, d, kappa } = *before;
         let (dp, ddelta, dkappa) = (self.r_x - r_x, self.d - d, self.kappa - kappa);
         Resultants {
@@ -191,7 +191,7 @@ impl Section<Vec2> {
     /// B = ∂(strains)/∂(p, δ, κ) belongs to this section and B₁ to `other`, which differs in an energy–momentum step only.
     /// a₀ changes by r'·p, a₁ by κ·p + r'·κ, a₂ by κ·κ, c by d·δ, g₀ by d·p + r'·δ, g₁ by κ·δ + d·κ.
     #[inline(always)]
-    pub fn stiffness(&self, other: &Self, law: &SectionLaw, N: &Resultants<f64>, weight: f64) -> Stiffness {
+    pub fn stiffness(&self, other: &Self, law: &SectionLaw, N: &Resultants, weight: f64) -> Stiffness {
         let (r, d, k) = (self.r_x, self.d, self.kappa);
         let (r_1, d_1, k_1) = (other.r_x, other.d, other.kappa);
         let SectionLaw { axial: EA, bending: [EI, EI_4], shear: [GA, GI], coupling } = *law;

@@ -6,31 +6,31 @@ use crate::elements::plane::{Block, Vec2, Vector, vec2};
 
 /// Stretch of the axis at a Gauss point.
 #[derive(Clone, Copy)]
-pub(super) struct Stretch<V: Vector> {
-    pub r_x: V,
+pub(super) struct Stretch {
+    pub r_x: Vec2,
     /// |r_x|
-    pub length: V::Number,
+    pub length: f64,
     /// 1/|r_x|
-    pub inverse: V::Number,
+    pub inverse: f64,
     /// |r_x| − 1
-    pub strain: V::Number,
+    pub strain: f64,
 }
 
 /// Curvature of the axis at a Gauss point.
 #[derive(Clone, Copy)]
-pub(super) struct Bend<V: Vector> {
-    pub r_x: V,
-    pub r_xx: V,
+pub(super) struct Bend {
+    pub r_x: Vec2,
+    pub r_xx: Vec2,
     /// r_x × r_xx, 1/m
-    pub cross: V::Number,
+    pub cross: f64,
     /// r_x · r_x
-    pub square: V::Number,
+    pub square: f64,
     /// 1/(r_x · r_x)
-    pub inverse: V::Number,
+    pub inverse: f64,
 }
 
 /// A vector in (p, s): part in p, part in s.
-pub(super) type Both<V = Vec2> = [V; 2];
+pub(super) type Both = [Vec2; 2];
 
 /// A matrix in (p, s) as four blocks.
 pub(super) type Blocks = [[Block; 2]; 2];
@@ -54,15 +54,15 @@ pub(super) fn cross_rate_rate() -> Blocks {
     [[Block::ZERO, ps], [sp, Block::ZERO]]
 }
 
-impl<V: Vector> Stretch<V> {
+impl Stretch {
     /// Derivative of the axial strain, ∂ε/∂p.
     #[inline(always)]
-    pub fn rate(&self) -> V {
-        self.r_x.times(self.inverse)
+    pub fn rate(&self) -> Vec2 {
+        self.r_x * self.inverse
     }
 }
 
-impl Stretch<Vec2> {
+impl Stretch {
     /// Second derivative of the axial strain, ∂²ε/∂p².
     #[inline(always)]
     pub fn rate_rate(&self) -> Block {
@@ -71,23 +71,23 @@ impl Stretch<Vec2> {
     }
 }
 
-impl<V: Vector> Bend<V> {
+impl Bend {
     /// Curvature κ = (r_x × r_xx)/|r_x|², 1/m.
     #[inline(always)]
-    pub fn kappa(&self) -> V::Number {
+    pub fn kappa(&self) -> f64 {
         self.cross * self.inverse
     }
 
     /// Derivative of the curvature, ∂κ/∂(p, s), from κ |r_x|² = r_x × r_xx.
     #[inline(always)]
-    pub fn rate(&self) -> Both<V> {
+    pub fn rate(&self) -> Both {
         let Bend { r_x, r_xx, inverse, .. } = *self;
         let kappa = self.kappa();
-        [-r_xx.turn() - r_x.times(kappa + kappa), r_x.turn()].map(|rate| rate.times(inverse))
+        [-r_xx.turn() - r_x * (kappa + kappa), r_x.turn()].map(|rate| rate * inverse)
     }
 }
 
-impl Bend<Vec2> {
+impl Bend {
     /// Second derivative of the curvature, ∂²κ/∂(p, s)², from κ |r_x|² = r_x × r_xx differentiated twice.
     #[inline(always)]
     pub fn rate_rate(&self) -> Blocks {

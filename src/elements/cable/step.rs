@@ -5,39 +5,39 @@
 #![allow(non_snake_case)] // EA, EI and H, as in the derivation.
 
 use super::axis::{Bend, Blocks, Both, Stretch, combined, cross_rate_rate, outers};
-use crate::elements::plane::{Block, Scalar, Vec2, Vector};
+use crate::elements::plane::{Block, Vec2, Vector};
 
 /// Stretch of the axis at a Gauss point, at both ends of a step.
-pub(super) struct StretchStep<V: Vector> {
-    pub start: Stretch<V>,
-    pub end: Stretch<V>,
+pub(super) struct StretchStep {
+    pub start: Stretch,
+    pub end: Stretch,
     pub eps_T: [f64; 2],
 }
 
-impl<V: Vector> StretchStep<V> {
+impl StretchStep {
     /// Axial force averaged over both ends, N.
     #[inline(always)]
-    pub fn mean_force(&self, EA: f64) -> V::Number {
-        let [half_EA, heat] = [0.5 * EA, self.eps_T[0] + self.eps_T[1]].map(V::Number::of);
+    pub fn mean_force(&self, EA: f64) -> f64 {
+        let (half_EA, heat) = (0.5 * EA, self.eps_T[0] + self.eps_T[1]);
         half_EA * (self.start.strain + self.end.strain - heat)
     }
 
     /// 1/(|r_x|₀ + |r_x|₁).
     #[inline(always)]
-    fn per_length(&self) -> V::Number {
-        V::Number::of(1.0) / (self.start.length + self.end.length)
+    fn per_length(&self) -> f64 {
+        1.0 / (self.start.length + self.end.length)
     }
 
     /// Discrete derivative of the strain: its product with p₁ − p₀ is |r_x|₁ − |r_x|₀.
     ///
     /// 2 r̄_x/(|r_x|₀ + |r_x|₁), as |r_x|² changes by 2 r̄_x·(p₁ − p₀).
     #[inline(always)]
-    pub fn rate(&self) -> V {
-        (self.start.r_x + self.end.r_x).times(self.per_length())
+    pub fn rate(&self) -> Vec2 {
+        (self.start.r_x + self.end.r_x) * self.per_length()
     }
 }
 
-impl StretchStep<Vec2> {
+impl StretchStep {
     /// Derivative of [`rate`](StretchStep::rate) with respect to p₁.
     pub fn rate_rate(&self) -> Block {
         (Block::identity(1.0) - Block::outer(1.0, self.rate(), self.end.rate())) * self.per_length()
@@ -45,35 +45,35 @@ impl StretchStep<Vec2> {
 }
 
 /// Curvature of the axis at a Gauss point, at both ends of a step.
-pub(super) struct BendStep<V: Vector> {
-    pub start: Bend<V>,
-    pub end: Bend<V>,
+pub(super) struct BendStep {
+    pub start: Bend,
+    pub end: Bend,
 }
 
-impl<V: Vector> BendStep<V> {
+impl BendStep {
     /// Mean of the bending moments at the start and the end of the time step, N m.
     #[inline(always)]
-    pub fn mean_moment(&self, EI: f64) -> V::Number {
-        V::Number::of(0.5 * EI) * (self.start.kappa() + self.end.kappa())
+    pub fn mean_moment(&self, EI: f64) -> f64 {
+        0.5 * EI * (self.start.kappa() + self.end.kappa())
     }
 
     /// Mean of both ends; cross product and square are averaged too, not those of the averaged vectors.
     #[inline(always)]
-    fn middle(&self) -> Bend<V> {
-        let (BendStep { start, end }, half) = (self, V::Number::of(0.5));
+    fn middle(&self) -> Bend {
+        let (BendStep { start, end }, half) = (self, 0.5);
         let square = half * (start.square + end.square);
         Bend {
-            r_x: (start.r_x + end.r_x).times(half),
-            r_xx: (start.r_xx + end.r_xx).times(half),
+            r_x: (start.r_x + end.r_x) * half,
+            r_xx: (start.r_xx + end.r_xx) * half,
             cross: half * (start.cross + end.cross),
             square,
-            inverse: V::Number::of(1.0) / square,
+            inverse: 1.0 / square,
         }
     }
 
     /// 1/(q₀q₁) with q = |r_x|².
     #[inline(always)]
-    fn per_squares(&self) -> V::Number {
+    fn per_squares(&self) -> f64 {
         self.start.inverse * self.end.inverse
     }
 
@@ -81,14 +81,13 @@ impl<V: Vector> BendStep<V> {
     ///
     /// c = r_x × r_xx and q = |r_x|² are quadratic, so their derivatives in the middle give the changes Δc and Δq exactly: κ₁ − κ₀ = c₁/q₁ − c₀/q₀ = (q̄ Δc − c̄ Δq)/(q₀q₁).
     #[inline(always)]
-    pub fn rate(&self) -> Both<V> {
+    pub fn rate(&self) -> Both {
         let Bend { r_x, r_xx, cross, square, .. } = self.middle();
-        [-r_xx.turn().times(square) - r_x.times(cross + cross), r_x.turn().times(square)]
-            .map(|rate| rate.times(self.per_squares()))
+        [-r_xx.turn() * square - r_x * (cross + cross), r_x.turn() * square].map(|rate| rate * self.per_squares())
     }
 }
 
-impl BendStep<Vec2> {
+impl BendStep {
     /// Derivative of [`rate`](BendStep::rate) with respect to (p₁, s₁), from rate · q₀q₁ differentiated.
     pub fn rate_rate(&self) -> Blocks {
         let Bend { r_x, r_xx, cross, square, .. } = self.middle();

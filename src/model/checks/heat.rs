@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 use super::history::check_history;
 use crate::model::check::{Check, require};
-use crate::model::choice::{Element, Start};
+use crate::model::choice::{Element, Start, ThermalModel};
 use crate::model::heat::Temperature;
 use crate::model::rod::Rod;
 use crate::model::scene::Scene;
@@ -32,6 +32,18 @@ pub(in crate::model) fn check_heat(scene: &Scene) -> Check {
 
 /// Checks a temperature that strains a rod; `key` is where it is given.
 fn check_rod(scene: &Scene, rod: &Rod, heat: &Temperature, key: impl Display) -> Check {
+    let allowed = format_args!(
+        "\"2d\", \"1d\" or \"none\" for the rod `{}`: its element \"euler-bernoulli\" has no section that heat could \
+         strain across, so that nothing would happen; a rod may have a `temperature` of its own",
+        rod.name
+    );
+    let has_section = rod.element == Element::Ancf;
+    require(
+        has_section || heat.model != ThermalModel::Transverse,
+        format_args!("{key}.model"),
+        "\"transverse\"",
+        allowed,
+    )?;
     require(!heat.history.is_empty(), format_args!("{key}.history"), "[]", "at least one pair [t, dT]")?;
     let alpha = scene.material(rod).alpha;
     // The square of the stress-free stretch, or that stretch itself.

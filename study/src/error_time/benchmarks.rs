@@ -10,12 +10,15 @@ use ancf::model::Method;
 const PENDULUM: Benchmark = Benchmark {
     scene: "pendulum-flexible",
     probe: "tip",
+    own: None,
+    unit: 1.0,
     interval: 0.25,
-    samples: 8,
+    rows: 8,
+    instants: 50,
     meshes: &[1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 64],
     smooth: true,
     coarsest: 8,
-    witnesses: [(Method::Explicit, 1), (Method::Gauss, 64)],
+    witnesses: [(Method::Explicit, 1), (Method::Gauss, 100)],
     continuum: Some(ContinuumSolution::Solid("flexible")),
 };
 
@@ -23,9 +26,12 @@ const PENDULUM: Benchmark = Benchmark {
 const SCISSORS: Benchmark = Benchmark {
     scene: "scissors-3",
     probe: "a4",
+    own: None,
+    unit: 1.0,
     interval: 0.5,
-    samples: 6,
-    meshes: &[2, 4, 6, 8, 12, 24],
+    rows: 6,
+    instants: 50,
+    meshes: &[2, 4, 8, 16],
     smooth: false,
     coarsest: 16,
     witnesses: [(Method::Explicit, 1), (Method::Gauss, 250)],
@@ -47,12 +53,15 @@ pub const BENCHMARKS: [Benchmark; 6] = [
     },
     Benchmark { scene: "pendulum-2d-relaxed", continuum: Some(ContinuumSolution::Solid("2d-relaxed")), ..PENDULUM },
     SCISSORS,
-    Benchmark { scene: "scissors-3-thermal", meshes: &[2, 4, 8, 16], ..SCISSORS },
+    Benchmark { scene: "scissors-3-thermal", ..SCISSORS },
     Benchmark {
         scene: "cantilever",
         probe: "tip",
+        own: None,
+        unit: 1.0,
         interval: 1.0,
-        samples: 1,
+        rows: 1,
+        instants: 1,
         meshes: &[1, 2, 4, 8, 16, 32, 64, 128, 256],
         smooth: false,
         coarsest: 1,
@@ -62,27 +71,36 @@ pub const BENCHMARKS: [Benchmark; 6] = [
     },
 ];
 
+/// The benchmarks that have references for both elements.
+pub fn complete() -> impl Iterator<Item = &'static Benchmark> {
+    BENCHMARKS.iter().filter(|benchmark| ELEMENTS.iter().all(|e| Reference::is_embedded(benchmark, *e)))
+}
+
 /// The benchmarks of these scenes; all that have references for both elements if none is named.
 ///
 /// # Errors
 /// [`Error::Name`] for a scene that is not in the study.
 pub fn named(scenes: &[String]) -> Result<Vec<&'static Benchmark>> {
     if scenes.is_empty() {
-        let complete = |benchmark: &&Benchmark| ELEMENTS.iter().all(|e| Reference::is_embedded(benchmark, *e));
-        return Ok(BENCHMARKS.iter().filter(complete).collect());
+        return Ok(complete().collect());
     }
-    let find = |name: &String| {
-        BENCHMARKS.iter().find(|benchmark| benchmark.scene == name).ok_or_else(|| Error::Name {
-            file: "ancf error-time".into(),
-            key: "SCENE".into(),
-            value: format!("`{name}`"),
-            allowed: scene_names(),
-        })
-    };
-    scenes.iter().map(find).collect()
+    scenes.iter().map(|name| of(name)).collect()
+}
+
+/// The benchmark of a scene.
+///
+/// # Errors
+/// [`Error::Name`] for a scene that is not in the study.
+pub fn of(name: &str) -> Result<&'static Benchmark> {
+    BENCHMARKS.iter().find(|benchmark| benchmark.scene == name).ok_or_else(|| Error::Name {
+        file: "ancf error-time".into(),
+        key: "SCENE".into(),
+        value: format!("`{name}`"),
+        allowed: format!("{}, or the file of a scene", scene_names()),
+    })
 }
 
 /// Names of all scenes, in a list.
-pub fn scene_names() -> String {
+fn scene_names() -> String {
     BENCHMARKS.map(|benchmark| benchmark.scene).join(", ")
 }

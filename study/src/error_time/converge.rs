@@ -1,10 +1,10 @@
 //! `ancf error-time --references`: solutions that have converged in time on each mesh, agreed by two methods.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use super::benchmark::Benchmark;
-use super::reference::{Converged, Mesh, Reference, SCHEMA, Witness};
+use super::clock;
+use super::reference::{Converged, Mesh, Reference, SCHEMA, VERSION, Witness};
 use super::samples::Samples;
 use super::setup::{Record, Resolution, Setup};
 use super::technique::Technique;
@@ -12,8 +12,10 @@ use crate::error::{Error, Result};
 use crate::files::Files;
 use crate::parallel::in_parallel;
 use crate::scene::{Change, ELEMENTS};
+use ancf::internals::model::Words;
 use ancf::model::{Element, Method};
 use ancf::run::run;
+use itertools::iproduct;
 
 /// Change under the last halving of the step that is small enough, m.
 const CHANGE: f64 = 1e-8;
@@ -24,8 +26,8 @@ const MOST_RUNGS: usize = 12;
 /// Steps that a method may refuse before its first one.
 const REFUSED: usize = 4;
 
-/// Longest run, s: a sequence ends before it, but not before its second solution.
-const LONGEST_RUN: f64 = 5.0;
+/// Longest run, s of one core: a sequence ends before it, but not before its second solution.
+const LONGEST_RUN: f64 = 4.0;
 
 /// Newton's tolerance, relative to the largest force term: short steps cannot reach much less, and the second witness shows its effect.
 const NEWTON_TOLERANCE: f64 = 1e-10;
@@ -36,8 +38,10 @@ struct Halvings {
     element: Element,
     elements: usize,
     method: Method,
-    /// First step, as a part of the sample interval; an explicit method starts at its limit.
+    /// First step, as a part of the interval; an explicit method starts at its limit.
     parts: usize,
+    /// Longest run, s of one core.
+    longest: f64,
 }
 
 /// The last solution of a sequence.
@@ -54,19 +58,13 @@ pub fn write_references(benchmarks: &[&'static Benchmark], folder: &Path) -> Res
     let pairs = benchmarks.iter().flat_map(|benchmark| ELEMENTS.map(|element| (benchmark, element)));
     let names = pairs.map(|(benchmark, element)| Reference::file_name(benchmark, element));
     let mut files = Files::in_folder(folder, names, &[])?;
-    let sequences: Vec<Halvings> = benchmarks.iter().flat_map(|benchmark| sequences(benchmark)).collect();
-    let mut solutions = in_parallel("references", &sequences, Halvings::run)?.into_iter();
-    for benchmark in benchmarks {
-        for element in ELEMENTS {
-            let mut meshes = Vec::new();
-            for &elements in benchmark.meshes {
-                if let (Some(first), Some(second)) = (solutions.next(), solutions.next()) {
-                    meshes.push(agree(elements, first, second));
-                }
-            }
-            let reference = reference(benchmark, element, meshes)?;
-            let text =
-                serde_json::to_string_pretty(&reference).map_err(|reason| unusable(benchmark, reason.to_string()))?;
+    let subjects: Vec<_> =
+        benchmarks.iter().flat_map(|benchmark| ELEMENTS.map(|element| (*benchmark, element))).collect();
+    for reference in references(&subjects, LONGEST_RUN)? {
+        let benchmark = benchmarks.iter().find(|benchmark| benchmark.scene == reference.scene);
+        let element = ELEMENTS.into_iter().find(|element| element.word() == reference.element);
+        if let (Some(benchmark), Some(element)) = (benchmark, element) {
+            let text = reference.text()?;
             // The file has to be readable.
             Reference::parse(benchmark.scene, &text, benchmark, element)?;
             files.write(&Reference::file_name(benchmark, element), |file| writeln!(file, "{text}"))?;
@@ -75,34 +73,52 @@ pub fn write_references(benchmarks: &[&'static Benchmark], folder: &Path) -> Res
     files.publish()
 }
 
+/// Converged solutions of benchmarks with an element each, on all cores; no run but the first two of a sequence is longer than `longest`, s.
+///
+/// # Errors
+/// Those of the runs.
+pub fn references(subjects: &[(&'static Benchmark, Element)], longest: f64) -> Result<Vec<Reference>> {
+    let mut sequences: Vec<Halvings> = Vec::new();
+    for &(benchmark, element) in subjects {
+        for (&elements, (method, parts)) in iproduct!(benchmark.meshes, benchmark.witnesses) {
+            sequences.push(Halvings { benchmark, element, elements, method, parts, longest });
+        }
+    }
+    let mut solutions = in_parallel("references", &sequences, Halvings::run)?.into_iter();
+    let mut found = Vec::new();
+    for &(benchmark, element) in subjects {
+        let mut meshes = Vec::new();
+        for &elements in benchmark.meshes {
+            if let (Some(first), Some(second)) = (solutions.next(), solutions.next()) {
+                meshes.push(agree(elements, first, second));
+            }
+        }
+        found.push(reference(benchmark, element, meshes)?);
+    }
+    Ok(found)
+}
+
 fn unusable(benchmark: &Benchmark, reason: String) -> Error {
     Error::fixture(benchmark.scene, reason)
 }
 
-fn sequences(benchmark: &'static Benchmark) -> impl Iterator<Item = Halvings> {
-    let meshes = ELEMENTS.into_iter().flat_map(|element| benchmark.meshes.iter().map(move |&n| (element, n)));
-    meshes.flat_map(move |(element, elements)| {
-        benchmark.witnesses.map(|(method, parts)| Halvings { benchmark, element, elements, method, parts })
-    })
-}
-
 impl Halvings {
     fn run(&self) -> Result<Solution> {
-        let &Halvings { benchmark, element, elements, method, parts } = self;
+        let &Halvings { benchmark, element, elements, method, parts, longest } = self;
         let unknown = || unusable(benchmark, format!("the method {method} is not in the study"));
         let technique = Technique::of(method).ok_or_else(unknown)?;
         let first = if technique.is_static() { Resolution::LoadSteps(parts) } else { Resolution::Steps(parts) };
         let mut setup = Setup { benchmark, element, elements, technique, resolution: first };
         if technique.explicit {
-            setup.resolution = with_margin(setup.first_resolution()?);
+            setup.resolution = with_margin(setup.first_resolution()?, benchmark.instants);
         }
         // The error of waves that the step does not resolve has no order: then the last run is not extrapolated.
         let extrapolated = benchmark.smooth;
         let mut refused = 0;
         let (mut steps, mut last, mut solutions) = (Vec::new(), None::<Samples>, Vec::new());
         loop {
-            let clock = Instant::now();
-            let samples = match run(setup.scene(Record::All)?.newton(NEWTON_TOLERANCE)) {
+            let begun = clock::seconds();
+            let samples = match run(setup.scene(Record::Instants)?.newton(NEWTON_TOLERANCE)) {
                 Ok(run) => Samples::of(benchmark, &run),
                 // The sequence starts with the first step that is short enough to succeed.
                 Err(ancf::error::Error::NewtonFailed { .. } | ancf::error::Error::NotFinite { .. })
@@ -124,10 +140,10 @@ impl Halvings {
             last = Some(samples);
             if let [.., before, solution] = &solutions[..] {
                 let change = solution.distance(before);
-                let next = 2.0 * clock.elapsed().as_secs_f64();
+                let next = 2.0 * (clock::seconds() - begun);
                 // More load steps find no other equilibrium: their change is rounding.
                 let fine = change <= CHANGE || technique.is_static();
-                if fine || next > LONGEST_RUN || steps.len() >= MOST_RUNGS {
+                if fine || next > longest || steps.len() >= MOST_RUNGS {
                     let witness = Witness { method: method.to_string(), steps, extrapolated, change };
                     return Ok(Solution { witness, samples: solution.clone() });
                 }
@@ -137,10 +153,10 @@ impl Halvings {
     }
 }
 
-/// A quarter more steps than the limit at the start: strains raise the frequencies of the rods.
-fn with_margin(limit: Resolution) -> Resolution {
+/// A quarter more steps than the limit at the start, as strains raise the frequencies of the rods; so many that all instants are ends of steps.
+fn with_margin(limit: Resolution, instants: usize) -> Resolution {
     match limit {
-        Resolution::Steps(parts) => Resolution::Steps((5 * parts).div_ceil(4)),
+        Resolution::Steps(parts) => Resolution::Steps((5 * parts).div_ceil(4).next_multiple_of(instants)),
         other => other,
     }
 }
@@ -166,29 +182,45 @@ fn reference(benchmark: &'static Benchmark, element: Element, meshes: Vec<Mesh>)
     let order = (second.samples.distance(&third.samples) / space).log2();
     let order = Some(order).filter(|order| order.is_finite() && *order > 0.5);
     let extrapolated_space = order.map(|order| space / (2f64.powf(order) - 1.0));
-    let converged =
-        Converged { elements: finest.elements, space, time, uncertainty: space + time, order, extrapolated_space };
+    let converged = Converged {
+        elements: finest.elements,
+        space,
+        time,
+        uncertainty: space + time,
+        order,
+        extrapolated_space,
+        velocity: finest.samples.velocity_difference(&second.samples),
+        reaction: finest.samples.reaction_difference(&second.samples).filter(|_| benchmark.smooth),
+    };
+    let finest = finest.elements;
+    let shortened = |mesh: Mesh| {
+        let samples = mesh.samples.short(benchmark.smooth && mesh.elements == finest);
+        Mesh { samples, ..mesh }
+    };
     Ok(Reference {
         schema: SCHEMA.into(),
-        title: format!("{} with {element} elements: {} at the sample times, converged", benchmark.scene, benchmark.probe),
+        title: format!("{} with {element} elements: {} at {} instants, converged", benchmark.scene, benchmark.probe, benchmark.count()),
         command: format!("ancf error-time --references {}", benchmark.scene),
-        version: env!("CARGO_PKG_VERSION").into(),
+        version: VERSION.into(),
+        program: env!("CARGO_PKG_VERSION").into(),
         scene: benchmark.scene.into(),
         element: element.to_string(),
         probe: benchmark.probe.into(),
-        times: benchmark.times(),
+        count: benchmark.count(),
+        interval: benchmark.interval / benchmark.instants as f64,
         how: [
-            "lengths in m, times in s; in statics a step is a part of the load",
+            "lengths in m, times in s, forces in N; in statics a step is a part of the load",
             "each mesh: two witnesses, each halving its step until that changes nothing more or takes too long; the solution \
-             is that of the first, which its last halving changed less",
+             is that of the first, which its last halving changed less; every instant is the end of a step",
             "extrapolated: the last two runs of a method, to a step of nothing (Richardson), and its change is that of the \
              extrapolated solutions",
-            "time uncertainty: the larger of that change and the largest distance of the two witnesses",
+            "time uncertainty: the larger of that change and the largest distance of the two witnesses at the instants",
             "space: largest distance of the finest mesh from that with half its elements; uncertainty: space + time of the finest mesh",
+            "velocity and reaction: the same of the probe's velocity and of the first support's force, where they converge",
         ]
         .map(String::from)
         .to_vec(),
         converged,
-        meshes,
+        meshes: meshes.into_iter().map(shortened).collect(),
     })
 }

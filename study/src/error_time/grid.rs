@@ -1,15 +1,20 @@
 //! The grid: meshes and steps that are tried for a scene, an element and a method, and the timing of the useful ones.
 
-use super::benchmark::Benchmark;
+use std::time::Instant;
+
+use super::benchmark::{Benchmark, ContinuumSolution};
 use super::pareto::DECADES;
 use super::point::{Point, Status};
-use super::reference::{Mesh, Reference};
-use super::samples::Samples;
+use super::reference::{Limit, Mesh, Reference};
+use super::samples::{SUPPORT, Samples};
 use super::setup::{Record, Resolution, Setup};
 use super::technique::{TECHNIQUES, Technique};
 use super::timing::{Timing, repeated, timed};
-use crate::error::Result;
-use crate::path::distance;
+use super::trace::Trace;
+use crate::error::{Error, Result};
+use crate::paper::continuum::Continuum;
+use crate::paper::tip::Tip;
+use crate::path::{column, columns, distance};
 use ancf::model::{Element, Method};
 use ancf::run::{Run, run};
 
@@ -47,7 +52,9 @@ pub struct Limits {
 
 impl Limits {
     /// Of the full study.
-    pub const FULL: Limits = Limits { longest_run: 0.6, finest_mesh: 32, finest_static: usize::MAX };
+    pub const FULL: Limits = Limits { longest_run: 0.5, finest_mesh: 32, finest_static: usize::MAX };
+    /// Of a scene of the user's own.
+    pub const OWN: Limits = Limits { longest_run: 0.3, finest_mesh: usize::MAX, finest_static: usize::MAX };
     /// Of the quick study.
     pub const QUICK: Limits = Limits { longest_run: 0.06, finest_mesh: 16, finest_static: 16 };
 }
@@ -61,16 +68,34 @@ pub struct Subject {
     pub element: Element,
     /// Its converged solutions.
     pub reference: Reference,
+    /// The plane solid's tip and the reference's distance from it, m, if it is known.
+    pub solid: Option<(Tip, f64)>,
 }
 
 impl Subject {
+    /// A benchmark with an element and their reference; the plane solid is looked up.
+    ///
+    /// # Errors
+    /// [`Error::Fixture`] if that cannot be read.
+    pub fn new(benchmark: &'static Benchmark, element: Element, reference: Reference) -> Result<Subject> {
+        let solid = match benchmark.continuum {
+            Some(ContinuumSolution::Solid(id)) => {
+                let tip = Continuum::load()?.solid(id)?.tip;
+                let limit = distance_from(&tip, benchmark, reference.solution());
+                Some((tip, limit))
+            }
+            _ => None,
+        };
+        Ok(Subject { benchmark, element, reference, solid })
+    }
+
     /// Meshes to run: from the first whose error in space is acceptable to the first at the reference's limit.
     pub fn meshes(&self, limits: &Limits) -> Vec<&Mesh> {
         let uncertainty = self.reference.converged.uncertainty;
         let at_limit = |mesh: &&Mesh| Status::of(self.reference.space_error(mesh), uncertainty) == Status::AtLimit;
         let meshes = &self.reference.meshes;
         let useful = meshes.iter().position(|mesh| at_limit(&mesh)).map_or(meshes.len(), |first| first + 1);
-        let hopeless = HOPELESS * DECADES[0];
+        let hopeless = HOPELESS * DECADES[0] * self.benchmark.unit;
         let most = if self.benchmark.is_static() { limits.finest_static } else { limits.finest_mesh };
         let of_use = |mesh: &&Mesh| mesh.elements <= most && self.reference.space_error(mesh) <= hopeless;
         meshes[..useful].iter().filter(of_use).collect()
@@ -81,11 +106,11 @@ impl Subject {
         TECHNIQUES.iter().filter(|technique| technique.is_static() == self.benchmark.is_static())
     }
 
-    /// All points of all methods; calls `on_mesh` after each method for each of its meshes.
+    /// All points of all methods with their setups; calls `on_mesh` after each method for each of its meshes.
     ///
     /// # Errors
     /// [`Error::Fixture`](crate::error::Error::Fixture) for an unsuitable scene. A run that fails is a point.
-    pub fn points(&self, limits: &Limits, on_mesh: impl Fn()) -> Result<Vec<Point>> {
+    pub fn points(&self, limits: &Limits, on_mesh: impl Fn()) -> Result<Vec<(Setup, Point)>> {
         let mut tried = Vec::new();
         for technique in self.techniques() {
             self.refine(technique, limits, &mut tried)?;
@@ -93,7 +118,7 @@ impl Subject {
         }
         for _ in 0..BISECTIONS {
             for (setup, mesh) in self.between(&tried) {
-                tried.push((setup, screen(&setup, &self.reference, mesh)?.0));
+                tried.push((setup, self.screen(&setup, mesh)?.0));
             }
         }
         time_useful(tried, &self.reference)
@@ -103,7 +128,7 @@ impl Subject {
     fn between(&self, tried: &[(Setup, Point)]) -> Vec<(Setup, &Mesh)> {
         let enough = |point: &Point, decade| point.bound().is_some_and(|bound| bound <= decade);
         let mut between = Vec::new();
-        for decade in DECADES {
+        for decade in DECADES.map(|decade| decade * self.benchmark.unit) {
             let able = tried.iter().filter(|(_, point)| enough(point, decade));
             let best = able.filter_map(|(_, point)| point.seconds()).fold(f64::INFINITY, f64::min);
             for (setup, point) in tried.iter().filter(|(_, point)| enough(point, decade)) {
@@ -134,7 +159,7 @@ impl Subject {
 
     /// Tries the meshes of one method, each with finer and finer steps.
     fn refine(&self, technique: &'static Technique, limits: &Limits, tried: &mut Vec<(Setup, Point)>) -> Result<()> {
-        let &Subject { benchmark, element, ref reference } = self;
+        let &Subject { benchmark, element, .. } = self;
         let mut start = None;
         for mesh in self.meshes(limits) {
             let elements = mesh.elements;
@@ -152,7 +177,7 @@ impl Subject {
             start = None;
             let mut failures = 0;
             loop {
-                let (point, seconds) = screen(&setup, reference, mesh)?;
+                let (point, seconds) = self.screen(&setup, mesh)?;
                 let ratio = point.errors.as_ref().and_then(|errors| Some(errors.time? / errors.space?));
                 let (status, useful) = (point.status, ratio.is_some_and(|ratio| ratio <= COARSE));
                 tried.push((setup, point));
@@ -171,42 +196,72 @@ impl Subject {
         }
         Ok(())
     }
-}
 
-/// A first run, and its time, which shows whether it is worth repeating.
-fn screen(setup: &Setup, reference: &Reference, mesh: &Mesh) -> Result<(Point, f64)> {
-    let mut point = Point::new(setup, reference);
-    let (run, seconds) = timed(setup);
-    match run {
-        Err(error) => {
-            (point.reason, point.failed_after) = (error.to_string(), Some(seconds));
+    /// A run for its error and one for its time, which shows whether it is worth repeating.
+    fn screen(&self, setup: &Setup, mesh: &Mesh) -> Result<(Point, f64)> {
+        let reference = &self.reference;
+        let mut point = Point::new(setup, reference);
+        let begun = Instant::now();
+        let found = if setup.is_static() {
+            run(&setup.scene(Record::Position)?)
+                .map_err(Error::from)
+                .map(|run| (Samples::of(setup.benchmark, &run), 0.0, run))
+        } else {
+            Trace::of(setup).map(|(trace, run)| (trace.at(&setup.benchmark.times()), trace.interpolation_error(), run))
+        };
+        let mut seconds = begun.elapsed().as_secs_f64();
+        match found {
+            Err(error) => {
+                (point.reason, point.failed_after) = (error.to_string(), Some(seconds));
+            }
+            Ok((samples, interpolation, run)) => {
+                (point.counts, point.rejected) = (run.counts, Some(run.counts.rejected));
+                point.compare(&samples, interpolation, &Limit { mesh: Some(mesh), ..reference.limit() });
+                if let (Some(errors), Some((solid, limit))) = (&mut point.errors, &self.solid) {
+                    // A run that is nearer to the solid than its theory's own solution is so by chance.
+                    errors.solid = Some(distance_from(solid, setup.benchmark, &samples).max(*limit));
+                }
+                seconds = timed(setup).1.computed;
+                point.time = Timing::of(&[seconds]);
+            }
         }
-        Ok(run) => {
-            (point.counts, point.rejected) = (run.counts, Some(run.counts.rejected));
-            let positions = Samples::of(setup.benchmark, &run);
-            point.compare(&positions, reference, Some(mesh));
-            point.time = Timing::of(&[seconds]);
-        }
+        Ok((point, seconds))
     }
-    Ok((point, seconds))
 }
 
-/// Adds errors of velocities, energies and reactions from a run that is not timed.
+/// Largest distance from the plane solid at its instants, m.
+fn distance_from(solid: &Tip, benchmark: &Benchmark, samples: &Samples) -> f64 {
+    let own = Tip { t: benchmark.times(), r: samples.position.clone() };
+    own.largest_distance(solid, |t| t > 0.0)
+}
+
+/// Adds errors of energies and reactions from a run that is not timed.
 fn complete(setup: &Setup, point: &mut Point, reference: &Reference) -> Result<()> {
-    if let (Some(errors), Some(recorded)) = (&mut point.errors, record(setup)?) {
-        let samples = Samples::of(setup.benchmark, &recorded);
-        errors.velocity = samples.velocity_difference(reference.solution());
-        errors.energy = energy_balance(&recorded);
-        errors.reaction = reaction_error(setup, &recorded)?;
-    }
+    let (Some(errors), Some(recorded)) = (&mut point.errors, record(setup)?) else { return Ok(()) };
+    errors.energy = energy_balance(&recorded);
+    errors.reaction = if setup.is_static() {
+        let force = columns(&recorded, SUPPORT, ["rx", "ry"]).last().copied();
+        force.map(|force| setup.exact_reaction().map(|exact| distance(force, exact))).transpose()?
+    } else {
+        // The ends of the steps that are instants: a force is not smooth enough to be interpolated.
+        let times = column(&recorded, "t");
+        let forces = columns(&recorded, SUPPORT, ["rx", "ry"]);
+        let known = setup.benchmark.times().into_iter().zip(&reference.solution().reaction);
+        let apart = known.filter_map(|(t, known)| {
+            let row = times.partition_point(|row| *row < t - 1e-9);
+            let is_instant = times.get(row).is_some_and(|row| (row - t).abs() < 1e-9);
+            forces.get(row).filter(|_| is_instant).map(|force| distance(*force, *known))
+        });
+        apart.max_by(f64::total_cmp)
+    };
     Ok(())
 }
 
 /// The run that records everything; `None` if it fails.
 fn record(setup: &Setup) -> Result<Option<Run>> {
-    match run(&setup.scene(Record::Energies)?) {
+    match run(&setup.scene(Record::Steps)?) {
         // Without the energies there is no error but a large one of the position.
-        Err(ancf::error::Error::EnergyAppeared { .. }) => Ok(run(&setup.scene(Record::All)?).ok()),
+        Err(ancf::error::Error::EnergyAppeared { .. }) => Ok(run(&setup.scene(Record::Instants)?).ok()),
         run => Ok(run.ok()),
     }
 }
@@ -215,19 +270,8 @@ fn energy_balance(run: &Run) -> Option<f64> {
     run.trajectory.column("energy.balance")?.into_iter().map(f64::abs).max_by(f64::total_cmp)
 }
 
-fn reaction_error(setup: &Setup, run: &Run) -> Result<Option<f64>> {
-    let column = |suffix: &str| {
-        let name = run.trajectory.columns.iter().find(|name| name.ends_with(suffix))?;
-        run.trajectory.column(name)?.last().copied()
-    };
-    match (setup.is_static(), column(".rx"), column(".ry")) {
-        (true, Some(x), Some(y)) => Ok(Some(distance([x, y], setup.exact_reaction()?))),
-        _ => Ok(None),
-    }
-}
-
 /// Times the points that are not outclassed.
-fn time_useful(tried: Vec<(Setup, Point)>, reference: &Reference) -> Result<Vec<Point>> {
+fn time_useful(tried: Vec<(Setup, Point)>, reference: &Reference) -> Result<Vec<(Setup, Point)>> {
     let numbers = |(setup, point): &(Setup, Point)| Some((setup.technique.method, point.bound()?, point.seconds()?));
     let known: Vec<(Method, f64, f64)> = tried.iter().filter_map(numbers).collect();
     let mut points = Vec::new();
@@ -245,7 +289,7 @@ fn time_useful(tried: Vec<(Setup, Point)>, reference: &Reference) -> Result<Vec<
                 point.time = Timing::of(&repeated(&setup)?);
             }
         }
-        points.push(point);
+        points.push((setup, point));
     }
     Ok(points)
 }

@@ -6,8 +6,7 @@ use super::group::Group;
 use super::point::{Point, Status};
 use super::study::ErrorTimeStudy;
 use super::tables;
-use super::timing::RUNS;
-use super::wording::{fastest, leads, ratio, time_of};
+use super::wording::{advice, fastest, leads, ratio, time_of};
 use crate::html::Html;
 use crate::table::{Table, cells};
 
@@ -16,11 +15,13 @@ pub fn page(study: &ErrorTimeStudy, svg: &str) -> String {
     let mut html = Html::default();
     html.paragraph(
         "Every point is one run: a scene with one of two elements, a mesh, a method and a step. Its error is the largest distance of the probe \
-         from a converged reference at the sample times. Its time is that of a run that records only what the error needs.",
+         from a converged reference at every one of some hundred instants, with what it may be larger in between; where its parts by step and \
+         mesh cancel, the larger part. Its time is that of a run that records a few rows.",
     );
     html.paragraph(&format!(
-        "Times are medians of {RUNS} or more runs after a first one that does not count; brackets: shortest and longest. A point is outclassed \
-         if its method is as accurate in less than four fifths of the time; such points were timed once. {}",
+        "Times are those of one core. Finalists took turns, at least seven each, on the same core; brackets: quartiles. A run was made again \
+         where another program had used the core meanwhile, or where a fixed piece of work beside it took a tenth longer than usual. A point is \
+         outclassed if its method is as accurate in less than four fifths of the time; such points were timed once. {}",
         study.machine.line()
     ));
     html.svg(svg);
@@ -28,7 +29,9 @@ pub fn page(study: &ErrorTimeStudy, svg: &str) -> String {
     explicit_or_implicit(&mut html, study);
     parts(&mut html, study);
     peers(&mut html, study);
-    economies(&mut html, study);
+    if !study.economies.is_empty() {
+        economies(&mut html, study);
+    }
     failures(&mut html, study);
     html.heading("The data");
     html.paragraph(
@@ -40,13 +43,15 @@ pub fn page(study: &ErrorTimeStudy, svg: &str) -> String {
 fn which_method(html: &mut Html, study: &ErrorTimeStudy) {
     html.heading("Which method for which accuracy");
     html.paragraph(
-        "The fastest point whose error is certain to be below each bound. At the reference's limit, that is the error plus the reference's \
-         uncertainty.",
+        "The fastest point that is certain to be below each bound at every time: error, reference's uncertainty and what interpolation between \
+         steps may hide, together. For each, the lines of a scene file.",
     );
     for (name, table) in fastest_by_group(study) {
         html.subheading(&name);
         html.table(&table);
     }
+    html.subheading("As lines of a scene file");
+    html.list(&study.groups.iter().flat_map(advice).collect::<Vec<_>>());
 }
 
 /// The fastest point for each bound of the error, of each scene and element.
@@ -91,18 +96,20 @@ fn parts(html: &mut Html, study: &ErrorTimeStudy) {
             format!("{:.1e} ± {:.0e} ({})", model.distance, model.uncertainty, model.continuum)
         });
         let uncertainty = format!("{:.1e} ({})", reference.uncertainty, reference.elements);
-        cells![group.name(), space.join(", "), reference.order, uncertainty, model]
+        let (velocity, reaction) = (reference.velocity, reference.reaction);
+        cells![group.name(), space.join(", "), reference.order, uncertainty, model, velocity, reaction]
     };
-    let columns = "scene, element | space, m (elements) | last order :.1 | reference ±, m (elements) | model, m";
+    let columns = "scene, element | space, m (elements) | last order :.1 | reference ±, m (elements) | model, m | its velocity ±, m/s :.0e | its reaction ±, N :.0e";
     html.table(&Table::new(columns, study.groups.iter().map(cells)));
     html.subheading("Along the Pareto fronts");
-    let columns = "scene, element | point | time | error, m :.1e | in time, m :.1e | in space, m :.1e | velocity, m/s :.1e | energy, J :.1e";
+    let columns = "scene, element | point | time | error, m :.1e | in time, m :.1e | in space, m :.1e | velocity, m/s :.1e | reaction, N :.1e | energy, J :.1e";
     let cells = |group: &Group, point: &Point| {
         let part = |of: fn(&super::point::Errors) -> Option<f64>| point.errors.as_ref().and_then(of);
         let (in_time, in_space) = (part(|errors| errors.time), part(|errors| errors.space));
-        let (velocity, energy) = (part(|errors| errors.velocity), part(|errors| errors.energy));
+        let (velocity, reaction) = (part(|errors| errors.velocity), part(|errors| errors.reaction));
+        let energy = part(|errors| errors.energy);
         let (name, time) = (group.name(), time_of(Some(point)));
-        cells![name, point.what(), time, point.error(), in_time, in_space, velocity, energy]
+        cells![name, point.what(), time, point.error(), in_time, in_space, velocity, reaction, energy]
     };
     let rows = study
         .groups
@@ -110,9 +117,9 @@ fn parts(html: &mut Html, study: &ErrorTimeStudy) {
         .flat_map(|group| group.pareto_front().into_iter().map(|point| cells(group, point)).collect::<Vec<_>>());
     html.table(&Table::new(columns, rows));
     html.paragraph(
-        "An error well below one of its two parts is luck: mesh and step err in opposite directions. Velocities are compared where they \
-         converge, which they do not after a sudden load. A conserved energy is no evidence of accuracy. Pins and supports are shared \
-         coordinates here, so that there is no constraint residual.",
+        "Velocities and reactions are compared where they converge, which they do not after a sudden load: the reaction at instants that are \
+         ends of steps. The references' own: see the last two columns above. A conserved energy is no evidence of accuracy. Pins and supports \
+         are shared coordinates here, so that there is no constraint residual.",
     );
 }
 
@@ -121,7 +128,7 @@ const PEER_DECADES: usize = 4;
 
 fn peers(html: &mut Html, study: &ErrorTimeStudy) {
     html.heading("Comparison with another program");
-    html.paragraph(&study.peers);
+    html.paragraph(&study.peer);
     let compared = study.groups.iter().filter(|group| !group.peers.is_empty());
     let rows: Vec<_> = compared
         .flat_map(|group| {
@@ -129,17 +136,18 @@ fn peers(html: &mut Html, study: &ErrorTimeStudy) {
                 let peer = group.peer(error);
                 let ratio = group.ratio(error).map(|found| ratio(&found));
                 let (our_run, their_run) = (ours.map(Point::what), peer.map(Point::what));
-                cells![group.name(), error, our_run, time_of(ours), their_run, time_of(peer), ratio]
+                let element = peer.map(|peer| peer.element.clone());
+                cells![group.name(), error, our_run, time_of(ours), their_run, element, time_of(peer), ratio]
             })
         })
         .collect();
     if !rows.is_empty() {
         html.paragraph(
-            "Errors of the other program and of our Euler–Bernoulli element are distances from one converged solution, as both have the same \
-             theory; those of the paper's element are distances from its own. Ratio: the other program's median over ours; brackets: its \
-             shortest run over our longest, and its longest over our shortest.",
+            "Each element is measured from its own limit. The other program's element without shear has that of our Euler–Bernoulli element, as the \
+             theory is the same; beside the paper's element stands its element with shear where there is one, the one without shear elsewhere. \
+             Ratio: the other program's median over ours; brackets: its lower quartile over our upper one, and its upper over our lower.",
         );
-        let columns = "scene, element | error below, m :.0e | ours | time | other | time | ratio";
+        let columns = "scene, element | error below, m :.0e | ours | time | other | its element | time | ratio";
         html.table(&Table::new(columns, rows));
     }
 }
@@ -147,7 +155,8 @@ fn peers(html: &mut Html, study: &ErrorTimeStudy) {
 fn economies(html: &mut Html, study: &ErrorTimeStudy) {
     html.heading("Economies");
     html.paragraph(
-        "Run times with and without parts that a scene does not need, measured alternately; medians with the shortest and the longest. \
+        "Run times with and without parts that a scene does not need, in turns; medians with quartiles. Thermal strains, ν and weight are not in \
+         the table: left out they save nothing that can be measured. \
          `ancf plan SCENE` lists the parts that a scene leaves out, with the reasons.",
     );
     html.table(&tables::economies(&study.economies));

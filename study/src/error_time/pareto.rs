@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::point::{Point, Status};
 use super::timing::Timing;
 
-/// Errors for which the fastest point is shown, m.
+/// Errors for which the fastest point is shown, as parts of a benchmark's unit.
 pub const DECADES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
 /// The Pareto front: points that no other beats in both error and time, from the fastest to the most accurate. Failures and points at the
@@ -22,6 +22,12 @@ pub fn pareto_front<'a>(points: &[&'a Point]) -> Vec<&'a Point> {
         better
     });
     sorted.into_iter().map(|(_, _, point)| point).collect()
+}
+
+/// The points that were timed in turns; all, if none was.
+pub fn in_turns<'a>(points: &[&'a Point]) -> Vec<&'a Point> {
+    let finalists: Vec<&Point> = points.iter().copied().filter(|point| point.in_turns()).collect();
+    if finalists.is_empty() { points.to_vec() } else { finalists }
 }
 
 /// The fastest point whose [bound](Point::bound) is at most this error; points that were timed only once do not count.
@@ -82,9 +88,9 @@ pub struct Ratio {
     pub error: f64,
     /// Ratio of the medians.
     pub ratio: f64,
-    /// Their shortest run over our longest.
+    /// Their lower quartile over our upper one.
     pub least: f64,
-    /// Their longest run over our shortest.
+    /// Their upper quartile over our lower one.
     pub most: f64,
 }
 
@@ -92,7 +98,7 @@ impl Ratio {
     /// One run time over another.
     pub fn of(error: f64, time: &Timing, other: &Timing) -> Ratio {
         let ratio = time.median / other.median;
-        Ratio { error, ratio, least: time.min / other.max, most: time.max / other.min }
+        Ratio { error, ratio, least: time.lower / other.upper, most: time.upper / other.lower }
     }
 }
 

@@ -1,225 +1,101 @@
-//! Another program's runs of our scenes, as `python -m oracle.peers` writes them, and their distances from our reference.
-
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
-
-use serde::Serialize;
+//! The other program's points: its runs, with their distances from the limit of its own theory.
 
 use super::benchmark::Benchmark;
-use super::benchmarks::{BENCHMARKS, scene_names};
+use super::peer::{Answer, Motion, Offer, Peer};
 use super::point::{Point, Status};
-use super::reference::Reference;
+use super::reference::{Limit, Reference};
 use super::samples::Samples;
 use super::timing::Timing;
-use crate::error::{Error, Result};
+use super::trace::Trace;
+use crate::error::Result;
 use crate::escape;
 use ancf::integrators::Counts;
 
-/// The command that writes the file.
-pub const COMMAND: &str = "python -m oracle.peers";
-
-/// The required columns, in any order; others are ignored.
-pub const COLUMNS: &str = "scene,program,version,element,method,elements,step,newton_tolerance,modified_newton,linear_solver,status,reason,\
-                           runs,time_median_s,time_min_s,time_max_s,steps,newton_iterations,jacobians,probe,t,x,y";
-
-/// A row of the file.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Peer {
-    /// Our benchmark of the scene.
-    #[serde(skip)]
-    pub benchmark: &'static Benchmark,
-    /// Everything but the errors.
+/// A run of the other program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PeerPoint {
+    /// Its number, to make it again.
+    pub id: usize,
+    /// The point.
     pub point: Point,
-    /// Options of the program: Newton's tolerance, linear solver.
-    pub options: String,
-    /// Positions at our sample times; `None` if it failed.
-    pub samples: Option<Samples>,
 }
 
-/// A line of the file, for errors that name it.
-struct Line<'a> {
-    file: &'a str,
-    number: u64,
-    fields: BTreeMap<&'static str, String>,
+/// An element of the other program with what it converges to.
+struct Theory {
+    element: String,
+    /// `None`: our Euler–Bernoulli element's.
+    own: Option<(Samples, f64)>,
 }
 
-/// Reads a file.
+/// All points of a scene. `euler_bernoulli` is the reference of our Euler–Bernoulli element, which some of its elements share.
 ///
 /// # Errors
-/// [`Error::Read`]; [`Error::Table`] with line, column, value and what is allowed.
-pub fn read(path: &Path) -> Result<Vec<Peer>> {
-    let text = fs::read_to_string(path).map_err(|source| Error::Read { path: path.into(), source })?;
-    parse(&path.display().to_string(), &text)
+/// [`Error::Peer`](crate::error::Error::Peer). A run that fails is a point.
+pub fn points(
+    peer: &mut Peer,
+    benchmark: &Benchmark,
+    euler_bernoulli: &Reference,
+    quick: bool,
+) -> Result<Vec<PeerPoint>> {
+    let (times, mut theories, mut points) = (benchmark.times(), Vec::<Theory>::new(), Vec::new());
+    for offer in peer.offers(benchmark.scene, quick)? {
+        if !theories.iter().any(|theory| theory.element == offer.element) {
+            let limit = peer.limit(benchmark.scene, &offer.element, &times)?;
+            let own = limit.position.map(|position| (Samples { position, ..Samples::default() }, limit.uncertainty));
+            theories.push(Theory { element: offer.element.clone(), own });
+        }
+        let own = theories.iter().find(|theory| theory.element == offer.element).and_then(|theory| theory.own.as_ref());
+        let limit = match own {
+            Some((solution, uncertainty)) => Limit { solution, uncertainty: *uncertainty, mesh: None },
+            // Its meshes are ours, too.
+            None => Limit { mesh: euler_bernoulli.mesh(offer.elements), ..euler_bernoulli.limit() },
+        };
+        points.push(point(peer, benchmark, offer, own.is_some(), &limit, &times)?);
+    }
+    Ok(points)
 }
 
-/// Parses the text of a file.
-///
-/// # Errors
-/// [`Error::Table`].
-pub fn parse(file: &str, text: &str) -> Result<Vec<Peer>> {
-    let refuse = |line, column: &str, value: String, allowed| Error::Table {
-        file: file.into(),
-        line,
-        column: column.into(),
-        value,
-        allowed,
+fn point(
+    peer: &mut Peer,
+    benchmark: &Benchmark,
+    offer: Offer,
+    has_shear: bool,
+    limit: &Limit,
+    times: &[f64],
+) -> Result<PeerPoint> {
+    let Offer { id, element, method, elements, step, newton_tolerance, options } = offer;
+    let mut point = Point {
+        program: peer.name.clone(),
+        scene: benchmark.scene.into(),
+        element: escape::line(&element),
+        method: escape::line(&method),
+        explicit: newton_tolerance.is_none(),
+        elements,
+        step: Some(step),
+        newton_tolerance,
+        options: escape::line(&options),
+        // An element without shear has the limit of ours.
+        has_shear,
+        reference_uncertainty: limit.uncertainty,
+        ..Point::default()
     };
-    let malformed = |error: csv::Error| {
-        let line = error.position().map_or(1, csv::Position::line);
-        let allowed =
-            format!("a line of comma-separated fields, as many as the heading has, in UTF-8; {COMMAND} writes them");
-        refuse(line, "line", format!("malformed ({error})"), allowed)
-    };
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let heading = reader.headers().map_err(malformed)?.clone();
-    let place = |name| {
-        let place = heading.iter().position(|column| column == name).map(|place| (name, place));
-        place.ok_or_else(|| refuse(1, name, "missing".into(), format!("a heading with {COLUMNS}")))
-    };
-    let places = COLUMNS.split(',').map(place).collect::<Result<Vec<_>>>()?;
-    let mut peers = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(malformed)?;
-        let number = record.position().map_or(0, csv::Position::line);
-        // Pictures are XML, which allows no control characters.
-        let fields = places.iter().map(|&(name, place)| (name, escape::line(record.get(place).unwrap_or_default())));
-        peers.push(Line { file, number, fields: fields.collect() }.peer()?);
+    match peer.run(id, true)? {
+        Answer::Failed { failed } => point.reason = escape::line(&failed),
+        Answer::Done { steps, newton_iterations, jacobians, motion, .. } => {
+            point.counts = Counts { steps, newton_iterations, tangent_calls: jacobians, ..Counts::default() };
+            let trace = motion.map_or_else(Trace::default, trace);
+            point.compare(&trace.at(times), trace.interpolation_error(), limit);
+        }
     }
-    Ok(peers)
+    if point.status != Status::Failed
+        && let Answer::Done { lap, .. } = peer.run(id, false)?
+    {
+        point.time = Timing::of(&[lap.computed]);
+    }
+    Ok(PeerPoint { id, point })
 }
 
-impl Line<'_> {
-    fn peer(&self) -> Result<Peer> {
-        let known = BENCHMARKS.iter().find(|benchmark| benchmark.scene == self.text("scene"));
-        let benchmark =
-            known.ok_or_else(|| self.refuse("scene", &format!("a scene of the study: {}", scene_names())))?;
-        // The other program may name the point or the probe.
-        let point = benchmark.point()?;
-        if ![benchmark.probe, &point].contains(&self.text("probe")) {
-            return Err(self.refuse("probe", &format!("the study's: {}, at the point {point}", benchmark.probe)));
-        }
-        let failed = match self.text("status") {
-            "ok" => false,
-            "failed" => true,
-            _ => return Err(self.refuse("status", "ok, failed")),
-        };
-        for column in ["program", "element", "method"] {
-            if self.text(column).is_empty() {
-                return Err(self.refuse(column, "a name"));
-            }
-        }
-        let [tolerance, modified, solver] =
-            ["newton_tolerance", "modified_newton", "linear_solver"].map(|c| self.text(c));
-        let has_iteration = !tolerance.is_empty();
-        let newton = format!("Newton tolerance {tolerance}, modified Newton {modified}, ");
-        let options = if has_iteration { newton + solver } else { solver.into() };
-        let (time, samples) =
-            if failed { (None, None) } else { (Some(self.timing()?), Some(self.samples(benchmark)?)) };
-        let counts = Counts {
-            steps: self.count("steps")?.unwrap_or(0),
-            newton_iterations: self.count("newton_iterations")?.unwrap_or(0),
-            tangent_calls: self.count("jacobians")?.unwrap_or(0),
-            ..Counts::default()
-        };
-        let point = Point {
-            program: format!("{} {}", self.text("program"), self.text("version")).trim().into(),
-            scene: benchmark.scene.into(),
-            element: self.text("element").into(),
-            method: self.text("method").into(),
-            explicit: !has_iteration,
-            elements: self.positive_count("elements")?,
-            step: Some(self.positive("step")?),
-            newton_tolerance: has_iteration.then(|| self.positive("newton_tolerance")).transpose()?,
-            reference_uncertainty: f64::NAN,
-            time,
-            counts,
-            status: if failed { Status::Failed } else { Status::Ok },
-            reason: self.text("reason").into(),
-            ..Point::default()
-        };
-        Ok(Peer { benchmark, point, options, samples })
-    }
-
-    fn timing(&self) -> Result<Timing> {
-        let [median, min, max] = ["time_median_s", "time_min_s", "time_max_s"].map(|column| self.positive(column));
-        let (median, min, max) = (median?, min?, max?);
-        if !(min <= median && median <= max) {
-            return Err(
-                self.refuse("time_median_s", &format!("a time between the least, {min}, and the largest, {max}"))
-            );
-        }
-        Ok(Timing { runs: self.positive_count("runs")?, median, min, max })
-    }
-
-    /// The positions at our sample times.
-    fn samples(&self, benchmark: &Benchmark) -> Result<Samples> {
-        let [t, x, y] = ["t", "x", "y"].map(|column| self.list(column));
-        let (t, x, y) = (t?, x?, y?);
-        for (column, list) in [("x", &x), ("y", &y)] {
-            if list.len() != t.len() {
-                return Err(self.refuse(column, &format!("as many numbers as `t` has, {}", t.len())));
-            }
-        }
-        let mut position = Vec::new();
-        for time in benchmark.times() {
-            let near = t.iter().position(|sample| (sample - time).abs() <= 1e-9 * time);
-            let place = near.ok_or_else(|| self.refuse("t", &format!("the study's times: {:?}", benchmark.times())))?;
-            position.push([x[place], y[place]]);
-        }
-        Ok(Samples { position, velocity: Vec::new() })
-    }
-
-    fn text(&self, column: &str) -> &str {
-        self.fields.get(column).map_or("", String::as_str)
-    }
-
-    fn positive(&self, column: &str) -> Result<f64> {
-        let number = self.text(column).parse().ok().filter(|x: &f64| x.is_finite() && *x > 0.0);
-        number.ok_or_else(|| self.refuse(column, "a number over 0"))
-    }
-
-    fn positive_count(&self, column: &str) -> Result<usize> {
-        let allowed = "a whole number over 0";
-        self.count(column)?.filter(|count| *count > 0).ok_or_else(|| self.refuse(column, allowed))
-    }
-
-    /// A count; `None` if the program does not count.
-    fn count(&self, column: &str) -> Result<Option<usize>> {
-        let count =
-            |text: &str| text.parse().map_err(|_| self.refuse(column, "a whole number, not negative, or nothing"));
-        Some(self.text(column)).filter(|text| !text.is_empty()).map(count).transpose()
-    }
-
-    fn list(&self, column: &str) -> Result<Vec<f64>> {
-        let number = |text: &str| text.parse().ok().filter(|x: &f64| x.is_finite());
-        let list: Option<Vec<f64>> = self.text(column).split_whitespace().map(number).collect();
-        list.filter(|list| !list.is_empty())
-            .ok_or_else(|| self.refuse(column, "finite numbers with spaces between them"))
-    }
-
-    fn refuse(&self, column: &str, allowed: &str) -> Error {
-        let value = match self.text(column) {
-            "" => "empty".into(),
-            text => format!("`{text}`"),
-        };
-        Error::Table {
-            file: self.file.into(),
-            line: self.number,
-            column: column.into(),
-            value,
-            allowed: allowed.into(),
-        }
-    }
-}
-
-impl Peer {
-    /// The row with its errors, from the reference of our Euler–Bernoulli element: its theory is the same, and so is its limit.
-    pub fn compared(mut self, reference: &Reference) -> Peer {
-        self.point.reference_uncertainty = reference.converged.uncertainty;
-        if let Some(samples) = &self.samples {
-            self.point.compare(samples, reference, None);
-        }
-        self
-    }
+fn trace(motion: Motion) -> Trace {
+    let pair = |a: Vec<f64>, b: Vec<f64>| a.into_iter().zip(b).map(|(a, b)| [a, b]).collect();
+    Trace { position: pair(motion.x, motion.y), velocity: pair(motion.vx, motion.vy), t: motion.t }
 }

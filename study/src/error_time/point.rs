@@ -2,11 +2,12 @@
 
 use serde::{Serialize, Serializer};
 
-use super::reference::{Mesh, Reference};
+use super::reference::{Limit, Reference};
 use super::samples::Samples;
 use super::setup::Setup;
 use super::timing::Timing;
 use ancf::integrators::Counts;
+use ancf::model::Element;
 
 /// Name of this program.
 pub const OURS: &str = "ancf";
@@ -57,21 +58,36 @@ impl Status {
     }
 }
 
-/// Distances from the reference.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+/// Distances from the reference, each the largest over all instants.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Errors {
-    /// Largest distance of the position at the sample times, m.
+    /// Distance of the position at the instants, m.
     pub position: f64,
-    /// R.m.s. of the velocity's difference over the sample times, m/s, where velocities converge.
+    /// What it may be larger between the instants, m.
+    pub between: f64,
+    /// Error of the interpolation between the steps of the run, m.
+    pub interpolation: f64,
+    /// Difference of the velocity, m/s, where velocities converge.
     pub velocity: Option<f64>,
-    /// Statics: distance of the support's force from the sum of the loads, N.
+    /// Difference of the first support's force, N, where it converges; in statics its distance from the sum of the loads.
     pub reaction: Option<f64>,
-    /// Largest energy balance at the sample times, J; no measure of accuracy.
+    /// Energy balance over all steps, J; no measure of accuracy.
     pub energy: Option<f64>,
     /// Distance from the time-converged solution of the mesh, m.
     pub time: Option<f64>,
     /// That solution's distance from the reference, m.
     pub space: Option<f64>,
+    /// Distance of the run from a plane solid, m, at its instants, and at least that of the theory's own solution.
+    pub solid: Option<f64>,
+}
+
+impl Errors {
+    /// The error that a point is drawn at and judged by, m: the largest of the position's and of its parts in time and space, which may cancel
+    /// by chance, with what it may be larger between the instants.
+    pub fn shown(&self) -> f64 {
+        let parts = [self.time, self.space].into_iter().flatten();
+        parts.fold(self.position, f64::max) + self.between
+    }
 }
 
 /// A run with its error and its time.
@@ -83,6 +99,8 @@ pub struct Point {
     pub scene: String,
     /// The program's name of the element.
     pub element: String,
+    /// Whether its theory has shear.
+    pub has_shear: bool,
     /// The method.
     pub method: String,
     /// Whether the largest frequency limits the step.
@@ -95,6 +113,9 @@ pub struct Point {
     pub tolerance: Option<f64>,
     /// Newton's tolerance, relative to the largest force term; `None` without an iteration.
     pub newton_tolerance: Option<f64>,
+    /// Other settings of another program, in words.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub options: String,
     /// Errors; `None` if it failed.
     pub errors: Option<Errors>,
     /// Uncertainty of the reference, m.
@@ -120,6 +141,7 @@ impl Point {
             program: OURS.into(),
             scene: setup.benchmark.scene.into(),
             element: setup.element.to_string(),
+            has_shear: setup.element == Element::Ancf,
             method: setup.technique.method.to_string(),
             explicit: setup.technique.explicit,
             elements: setup.elements,
@@ -131,9 +153,14 @@ impl Point {
         }
     }
 
-    /// Error of the position, m.
+    /// Error of the position, m: [`Errors::shown`].
     pub fn error(&self) -> Option<f64> {
-        self.errors.as_ref().map(|errors| errors.position)
+        self.errors.as_ref().map(Errors::shown)
+    }
+
+    /// Whether its time was taken in turns with others.
+    pub fn in_turns(&self) -> bool {
+        self.time.as_ref().is_some_and(|time| time.in_turns)
     }
 
     /// Median run time, s.
@@ -141,29 +168,33 @@ impl Point {
         self.time.as_ref().map(|time| time.median)
     }
 
-    /// Upper bound of the true error, m. Above the reference's limit, the error is known to a third of itself or better, and is its own
-    /// bound. At the limit the distance may be small by chance, and the reference's uncertainty is added.
+    /// Upper bound of the true error at any time, m: the error, what interpolation may hide, and the reference's uncertainty.
     pub fn bound(&self) -> Option<f64> {
-        let uncertainty = if self.status == Status::AtLimit { self.reference_uncertainty } else { 0.0 };
-        self.error().filter(|_| self.status != Status::Failed).map(|error| error + uncertainty)
+        let errors = self.errors.as_ref().filter(|_| self.status != Status::Failed)?;
+        Some(errors.shown() + errors.interpolation + self.reference_uncertainty)
     }
 
-    /// Sets errors and status from samples; `mesh` is the reference's solution on the run's mesh, if there is one.
-    pub fn compare(&mut self, samples: &Samples, reference: &Reference, mesh: Option<&Mesh>) {
-        let position = samples.distance(reference.solution());
-        self.status = Status::of(position, reference.converged.uncertainty);
+    /// Sets errors and status from the motion at the instants and the error of their interpolation.
+    pub fn compare(&mut self, samples: &Samples, interpolation: f64, limit: &Limit) {
+        let Limit { solution, uncertainty, mesh } = *limit;
+        let errors = Errors {
+            position: samples.distance(solution),
+            between: samples.between(solution),
+            interpolation,
+            velocity: samples.velocity_difference(solution),
+            reaction: None,
+            energy: None,
+            time: mesh.map(|mesh| samples.distance(&mesh.samples)),
+            space: mesh.map(|mesh| mesh.samples.distance(solution)),
+            solid: None,
+        };
+        let known = errors.position.is_finite() && errors.interpolation.is_finite();
+        self.status = Status::of(if known { errors.shown() } else { f64::NAN }, uncertainty);
         if self.status == Status::Failed {
             self.reason = "positions are missing, or are not numbers".into();
             return;
         }
-        self.errors = Some(Errors {
-            position,
-            velocity: samples.velocity_difference(reference.solution()),
-            reaction: None,
-            energy: None,
-            time: mesh.map(|mesh| samples.distance(&mesh.samples)),
-            space: mesh.map(|mesh| reference.space_error(mesh)),
-        });
+        self.errors = Some(errors);
     }
 
     /// Method, mesh, step and tolerances, for people.

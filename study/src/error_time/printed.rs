@@ -2,7 +2,7 @@
 
 use super::group::Group;
 use super::point::{Point, Status};
-use super::wording::{fastest, leads, ratio, time_of};
+use super::wording::{advice, fastest, leads, ratio, time_of};
 use crate::table::{Cell, Table, cells};
 
 /// A group: its counts, its reference, and the fastest point for each decade of error.
@@ -34,6 +34,9 @@ pub fn group(group: &Group) -> String {
     let columns = format!("error | fastest | time{peers}");
     text += "\n";
     text += &Table::new(&columns, group.decades().into_iter().flat_map(cells)).text();
+    if group.is_own {
+        advice(group).iter().for_each(|line| text += &format!("   {line}\n"));
+    }
     leads(&group.leads()).iter().for_each(|sentence| text += &format!("   {sentence}\n"));
     text + "\n"
 }

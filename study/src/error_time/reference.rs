@@ -11,7 +11,10 @@ use ancf::model::Element;
 use ancf_fixtures::CONVERGED;
 
 /// The files' format.
-pub const SCHEMA: &str = "ancf-converged/1";
+pub const SCHEMA: &str = "ancf-converged/2";
+
+/// Version of the numbers, whose changes stand in `fixtures/CHANGELOG.md`.
+pub const VERSION: &str = "2.0";
 
 /// Content of a file: a scene with one element.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,16 +26,20 @@ pub struct Reference {
     pub title: String,
     /// The command that writes the file.
     pub command: String,
-    /// Version of this package.
+    /// Version of the numbers, [`VERSION`].
     pub version: String,
+    /// Version of this package.
+    pub program: String,
     /// The built-in scene.
     pub scene: String,
     /// Element of its rods.
     pub element: String,
     /// The probe.
     pub probe: String,
-    /// Times of the samples, s.
-    pub times: Vec<f64>,
+    /// Number of the instants, without the start.
+    pub count: usize,
+    /// Time from one instant to the next, s.
+    pub interval: f64,
     /// Explanation of the uncertainties.
     pub how: Vec<String>,
     /// Uncertainty of the finest mesh.
@@ -57,6 +64,10 @@ pub struct Converged {
     pub order: Option<f64>,
     /// Error in space that this order would leave, m; not used, as three meshes do not prove an order.
     pub extrapolated_space: Option<f64>,
+    /// Largest difference of its velocities from those of the mesh with half the elements, m/s; `None` where they do not converge.
+    pub velocity: Option<f64>,
+    /// That of the reactions, N.
+    pub reaction: Option<f64>,
 }
 
 /// The time-converged solution on one mesh.
@@ -87,7 +98,23 @@ pub struct Witness {
     pub change: f64,
 }
 
+/// What runs are compared with.
+#[derive(Clone, Copy, Debug)]
+pub struct Limit<'a> {
+    /// The converged solution.
+    pub solution: &'a Samples,
+    /// Its uncertainty, m.
+    pub uncertainty: f64,
+    /// The solution on the mesh of the run, if it is known.
+    pub mesh: Option<&'a Mesh>,
+}
+
 impl Reference {
+    /// The converged solution with its uncertainty.
+    pub fn limit(&self) -> Limit<'_> {
+        Limit { solution: self.solution(), uncertainty: self.converged.uncertainty, mesh: None }
+    }
+
     /// Name of the file for a scene and an element.
     pub fn file_name(benchmark: &Benchmark, element: Element) -> String {
         format!("{}-{element}.json", benchmark.scene)
@@ -112,6 +139,18 @@ impl Reference {
         Reference::parse(name, text, benchmark, element)
     }
 
+    /// The file's text: a line for each key and each mesh.
+    ///
+    /// # Errors
+    /// [`Error::Fixture`] if it cannot be written as JSON.
+    pub fn text(&self) -> Result<String> {
+        let fault = |reason: serde_json::Error| Error::fixture("fixtures/converged", reason.to_string());
+        let head = serde_json::to_string_pretty(&Reference { meshes: Vec::new(), ..self.clone() }).map_err(fault)?;
+        let meshes: Vec<String> =
+            self.meshes.iter().map(serde_json::to_string).collect::<std::result::Result<_, _>>().map_err(fault)?;
+        Ok(head.replace("\"meshes\": []", &format!("\"meshes\": [\n    {}\n  ]", meshes.join(",\n    "))))
+    }
+
     /// Reads a file, and refuses one that is incomplete or of something else.
     ///
     /// # Errors
@@ -131,8 +170,11 @@ impl Reference {
         if self.scene != benchmark.scene || self.element != element.word() || self.probe != benchmark.probe {
             return Some(format!("it is of {} with {}, probe {}", self.scene, self.element, self.probe));
         }
-        if self.times != benchmark.times() {
-            return Some(format!("its samples are at {:?} s, not {:?} s", self.times, benchmark.times()));
+        if self.version != VERSION {
+            return Some(format!("its version is {}, not {VERSION}", self.version));
+        }
+        if (self.count, self.interval) != (benchmark.count(), benchmark.interval / benchmark.instants as f64) {
+            return Some(format!("it has {} instants, every {} s", self.count, self.interval));
         }
         if ![space, time, uncertainty].into_iter().all(is_length) || uncertainty < space.max(time) {
             return Some(format!("the uncertainty {uncertainty} m does not cover space {space} m and time {time} m"));
@@ -142,18 +184,31 @@ impl Reference {
         }
         let bad = self.meshes.iter().find(|mesh| {
             let Mesh { samples, time_uncertainty, .. } = mesh;
-            let numbers = samples.position.iter().chain(&samples.velocity).flatten().all(|x| x.is_finite());
-            let velocities = if benchmark.smooth { benchmark.samples } else { 0 };
-            let whole = samples.position.len() == benchmark.samples && samples.velocity.len() == velocities;
+            let rates = || samples.velocity.iter().chain(&samples.reaction);
+            let numbers = samples.position.iter().chain(rates()).flatten().all(|x| x.is_finite());
+            let count = if benchmark.smooth && mesh.elements == elements { self.count } else { 0 };
+            let whole = samples.position.len() == self.count && rates().count() == 2 * count;
             !numbers || !whole || !is_length(*time_uncertainty)
         });
         bad.map(|mesh| format!("the run with {} elements is not whole", mesh.elements))
     }
 
+    /// Times and positions of a mesh at the ends of the benchmark's intervals.
+    pub fn rows(&self, benchmark: &Benchmark, mesh: &Mesh) -> impl Iterator<Item = (f64, [f64; 2])> {
+        let rows: Vec<_> = benchmark.times().into_iter().zip(mesh.samples.position.iter().copied()).collect();
+        let instants = benchmark.instants;
+        rows.into_iter().skip(instants - 1).step_by(instants)
+    }
+
     /// The converged solution: that of the finest mesh.
     pub fn solution(&self) -> &Samples {
+        &self.finest().samples
+    }
+
+    /// The finest mesh.
+    pub fn finest(&self) -> &Mesh {
         // There is one: a reference without meshes is refused.
-        &self.meshes[self.meshes.len() - 1].samples
+        &self.meshes[self.meshes.len() - 1]
     }
 
     /// The mesh with so many elements.
@@ -161,7 +216,7 @@ impl Reference {
         self.meshes.iter().find(|mesh| mesh.elements == elements)
     }
 
-    /// Error in space of a mesh, m: distance of its solution from the converged one.
+    /// Error in space of a mesh, m: largest distance of its solution from the converged one.
     pub fn space_error(&self, mesh: &Mesh) -> f64 {
         mesh.samples.distance(self.solution())
     }

@@ -1,16 +1,17 @@
 //! Setup of one run of the study: scene, element, mesh, method and step.
 
 use super::benchmark::Benchmark;
+use super::samples::SUPPORT;
 use super::technique::{Refinement, Technique};
 use crate::error::Result;
-use crate::scene::Change;
-use ancf::model::{Element, Method, Output, Quantity, Scene};
+use crate::scene::{Change, point_probe};
+use ancf::model::{Element, Method, Output, Probe, Quantity, Scene};
 use ancf::run::run;
 
 /// Resolution in time, by which a method is made more or less accurate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Resolution {
-    /// Equal steps in a sample interval.
+    /// Equal steps in an interval.
     Steps(usize),
     /// Local error of a step, m.
     Tolerance(f64),
@@ -48,13 +49,16 @@ impl Resolution {
 /// What a run records.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Record {
-    /// Positions only, which the error needs; this is timed.
+    /// Positions at the ends of the intervals; this is timed.
     Position,
-    /// Also velocities where they converge, and reactions in statics.
-    All,
-    /// Also energies.
-    Energies,
+    /// Positions at every instant of the errors; velocities and reactions where they converge.
+    Instants,
+    /// The same at every step, and energies.
+    Steps,
 }
+
+/// Parts of an interval at whose ends steps of a method's own choice end.
+const LANDINGS: usize = 10;
 
 /// Setup of one run.
 #[derive(Clone, Copy, Debug)]
@@ -78,29 +82,40 @@ impl Setup {
     /// [`Error::Fixture`](crate::error::Error::Fixture) if there is no such built-in scene.
     pub fn scene(&self, record: Record) -> Result<Scene> {
         let Setup { benchmark, element, elements, technique, resolution } = *self;
-        let mut scene = benchmark.built_in()?.meshed(element, elements);
+        let mut scene = benchmark.meshed(element, elements)?;
         let step = scene.time.step;
         scene = scene.method(technique.method, step);
         scene = scene.newton(technique.newton_tolerance);
         scene.time.tolerance = resolution.tolerance().unwrap_or(scene.time.tolerance);
+        let every = match (record, resolution) {
+            (Record::Position, Resolution::Steps(_)) => benchmark.interval,
+            (Record::Steps, Resolution::Steps(parts)) => benchmark.interval / parts as f64,
+            // Steps of their own choice end at rows, so that these are always the same.
+            (Record::Position | Record::Steps, _) => benchmark.interval / LANDINGS as f64,
+            (Record::Instants, _) => benchmark.interval / benchmark.instants as f64,
+        };
         match resolution {
             Resolution::LoadSteps(count) => scene.time.load_steps = count,
             Resolution::Steps(_) | Resolution::Tolerance(_) => {
-                scene.time.step = resolution.step(benchmark.interval).unwrap_or(benchmark.interval);
-                let energy = record == Record::Energies;
-                scene.output = Output { interval: Some(benchmark.interval), energy, shapes: None };
+                scene.time.step = resolution.step(benchmark.interval).unwrap_or(every);
+                scene.output = Output { interval: Some(every), energy: record == Record::Steps, shapes: None };
             }
         }
-        scene.probes.retain_mut(|probe| {
-            if record != Record::Position && benchmark.is_static() && probe.of == [Quantity::Reaction] {
-                return true;
-            }
+        let probe = |mut probe: Probe| {
             probe.of = vec![Quantity::Position];
             if record != Record::Position && benchmark.smooth {
                 probe.of.push(Quantity::Velocity);
             }
-            probe.name == benchmark.probe
-        });
+            probe
+        };
+        scene.probes.retain(|probe| probe.name == benchmark.probe);
+        scene.probes = scene.probes.into_iter().map(probe).collect();
+        if record != Record::Position && (benchmark.smooth || benchmark.is_static()) {
+            let support = scene.supports.first().map(|support| support.point.clone());
+            scene.probes.extend(
+                support.map(|point| Probe { name: SUPPORT.into(), ..point_probe(&point, &[Quantity::Reaction]) }),
+            );
+        }
         Ok(scene)
     }
 
@@ -129,7 +144,7 @@ impl Setup {
         let verlet = Technique::of(Method::Explicit).unwrap_or(self.technique);
         let parts = Setup { technique: verlet, ..*self }.stable_parts()?;
         let elements: usize = self.scene(Record::Position)?.rods.iter().map(|rod| rod.elements).sum();
-        Ok((parts * self.benchmark.samples * elements) as f64 * SECONDS)
+        Ok((parts * self.benchmark.rows * elements) as f64 * SECONDS)
     }
 
     /// The least number of stable explicit steps in an interval. The method reports its limit when it refuses a step that is far too long.
@@ -145,7 +160,7 @@ impl Setup {
 
     /// The reaction of the support in statics: minus the sum of the loads.
     pub fn exact_reaction(&self) -> Result<[f64; 2]> {
-        let scene = self.benchmark.built_in()?;
+        let scene = self.benchmark.model()?;
         let sum = |sum: [f64; 2], force: [f64; 2]| [sum[0] - force[0], sum[1] - force[1]];
         Ok(scene.forces.iter().map(|force| force.force).fold([0.0; 2], sum))
     }

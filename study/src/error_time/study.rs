@@ -1,21 +1,19 @@
 //! The study of error against run time: its options and results.
 
-use std::path::PathBuf;
-
 use serde::Serialize;
 
 use super::economies::Economy;
 use super::group::Group;
 use super::machine::Machine;
-use super::peers::Peer;
+use super::winner::Winner;
 
-/// Scenes, grid and peers of a study.
+/// Scenes, grid and peer of a study.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Options {
-    /// Names of scenes; all if there are none.
+    /// Names of scenes, or files; all scenes of the study if there are none.
     pub scenes: Vec<String>,
-    /// Runs of another program; `None`: `peers.csv` in the output folder, if it is there.
-    pub peers: Option<PathBuf>,
+    /// Command of another program that is measured in turns with this one.
+    pub peer: Option<String>,
     /// A coarse grid, of the flexible pendulum if no scene is named.
     pub quick: bool,
 }
@@ -30,11 +28,11 @@ pub struct ErrorTimeStudy {
     /// Run time of the study, s.
     pub wall_seconds: f64,
     /// A sentence on the other program.
-    pub peers: String,
-    /// The other program's rows: options and samples.
-    pub peer_rows: Vec<Peer>,
+    pub peer: String,
     /// Scenes with their elements.
     pub groups: Vec<Group>,
+    /// For each group, its fastest points by decades of error, and the other program's.
+    pub winners: Vec<Winner>,
     /// Savings of the plan.
     pub economies: Vec<Economy>,
 }

@@ -7,7 +7,7 @@ use ancf::model::Method;
 pub enum Refinement {
     /// Half the step.
     Steps,
-    /// A tenth of `time.tolerance`, starting with this one, m; the sample interval is the largest step.
+    /// A tenth of `time.tolerance`, starting with this one, m; a tenth of the interval is the largest step.
     Tolerance(f64),
     /// Twice the load steps.
     LoadSteps,

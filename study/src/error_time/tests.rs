@@ -11,8 +11,7 @@ use ancf::model::{Element, Method};
 use super::benchmark::Benchmark;
 use super::benchmarks::BENCHMARKS;
 use super::grid::{Limits, Subject};
-use super::pareto::{fastest, leads, pareto_front, ratio};
-use super::peers;
+use super::pareto::{fastest, in_turns, leads, pareto_front, ratio};
 use super::point::{Errors, OURS, Point, Status};
 use super::reference::Reference;
 use super::setup::{Record, Resolution, Setup};
@@ -24,28 +23,17 @@ const UNCERTAINTY: f64 = 1e-6;
 
 /// A made-up point that took `time` (s) for an error of `error` (m).
 fn point(time: f64, error: f64) -> Point {
-    let errors = Errors {
-        position: error,
-        velocity: None,
-        reaction: None,
-        energy: None,
-        time: Some(0.1 * error),
-        space: Some(0.9 * error),
-    };
+    let errors = Errors { position: error, time: Some(0.1 * error), space: Some(0.9 * error), ..Errors::default() };
     Point {
         program: OURS.into(),
         scene: "pendulum-flexible".into(),
         element: "ancf".into(),
         method: "energy-momentum".into(),
-        explicit: false,
         elements: 4,
         step: Some(1.0 / 3.0),
-        tolerance: None,
-        newton_tolerance: None,
         errors: Some(errors),
         reference_uncertainty: UNCERTAINTY,
         time: Timing::of(&[0.9 * time, time, 1.1 * time]),
-        failed_after: None,
         counts: Counts {
             rejected: 0,
             steps: 7,
@@ -55,9 +43,8 @@ fn point(time: f64, error: f64) -> Point {
             factorizations: 3,
             solves: 2,
         },
-        rejected: None,
         status: Status::of(error, UNCERTAINTY),
-        reason: String::new(),
+        ..Point::default()
     }
 }
 
@@ -79,7 +66,7 @@ fn the_table_reads_back_to_the_same_numbers() {
     let mut reader = csv::Reader::from_reader(&csv[..]);
     let heading: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
-    assert_eq!((heading.len(), rows.len()), (28, points.len()));
+    assert_eq!((heading.len(), rows.len()), (34, points.len()));
     for (point, row) in points.iter().zip(&rows) {
         let field = |name: &str| &row[heading.iter().position(|column| column == name).unwrap()];
         let number = |name: &str| Some(field(name)).filter(|text| !text.is_empty()).map(|text| text.parse().unwrap());
@@ -97,8 +84,10 @@ fn the_table_reads_back_to_the_same_numbers() {
         assert_eq!(number("error_time"), errors.and_then(|errors| errors.time));
         assert_eq!(number("error_space"), errors.and_then(|errors| errors.space));
         assert_eq!(number("reference_uncertainty"), Some(UNCERTAINTY));
-        let times = [number("time_median_s"), number("time_min_s"), number("time_max_s")];
-        assert_eq!(times, [time.map(|t| t.median), time.map(|t| t.min), time.map(|t| t.max)]);
+        assert_eq!(number("error_bound"), point.bound());
+        let times = [number("time_median_s"), number("time_lower_s"), number("time_upper_s")];
+        assert_eq!(times, [time.map(|t| t.median), time.map(|t| t.lower), time.map(|t| t.upper)]);
+        assert_eq!((field("disturbed"), field("in_turns")), ("0", "false"));
         assert_eq!([count("elements"), count("runs")], [4, time.map_or(0, |time| time.runs)]);
         assert_eq!((field("rejected"), ["steps", "newton_iterations", "force_calls"].map(count)), ("", [7, 6, 5]));
         assert_eq!(["tangent_calls", "factorizations", "solves"].map(count), [4, 3, 2]);
@@ -122,27 +111,50 @@ fn a_point_near_the_reference_is_at_its_limit() {
     assert_eq!(Status::of(2.9e-6, UNCERTAINTY), Status::AtLimit);
     assert_eq!(Status::of(3.1e-6, UNCERTAINTY), Status::Ok);
     assert_eq!(Status::of(f64::NAN, UNCERTAINTY), Status::Failed);
-    // Such a point proves only what the uncertainty leaves.
-    assert_eq!(point(1.0, 2e-6).bound(), Some(2e-6 + UNCERTAINTY));
-    assert_eq!(point(1.0, 1e-3).bound(), Some(1e-3));
     assert_eq!(failed().bound(), None);
     let (at_limit, slow) = (point(1.0, 2e-6), point(5.0, 4e-6));
     assert_eq!(times(&[fastest(&[&at_limit, &slow], 1e-5).unwrap()]), [1.0]);
     assert!(fastest(&[&at_limit, &slow], 2.5e-6).is_none());
 }
 
+/// Parts that cancel, a maximum between the instants, interpolation and the reference's uncertainty: a label has to hold with all of them.
+#[test]
+fn a_label_covers_all_that_an_error_may_be() {
+    let errors = Errors {
+        position: 1e-4,
+        time: Some(8e-4),
+        space: Some(7e-4),
+        between: 1e-5,
+        interpolation: 2e-6,
+        ..Errors::default()
+    };
+    let crossing = Point { errors: Some(errors), ..point(1.0, 1e-4) };
+    assert_eq!(crossing.error(), Some(8e-4 + 1e-5));
+    assert_eq!(crossing.bound(), Some(8e-4 + 1e-5 + 2e-6 + UNCERTAINTY));
+    assert!(fastest(&[&crossing], 8e-4).is_none() && fastest(&[&crossing], 1e-3).is_some());
+}
+
 #[test]
 fn programs_are_compared_at_equal_error() {
-    let ours = [point(1.0, 1e-2), point(2.0, 1e-4)];
+    let ours = [point(1.0, 9e-3), point(2.0, 9e-5)];
     let theirs = [point(10.0, 5e-4), point(50.0, 1e-5)];
     let [ours, theirs]: [Vec<&Point>; 2] = [ours.iter().collect(), theirs.iter().collect()];
     let found = ratio(&ours, &theirs, 1e-3).unwrap();
     assert_eq!((found.error, found.ratio), (1e-3, 5.0));
-    assert!((found.least - 9.0 / 2.2).abs() < 1e-12 && (found.most - 11.0 / 1.8).abs() < 1e-12);
+    assert!((found.least - 9.5 / 2.1).abs() < 1e-12 && (found.most - 10.5 / 1.9).abs() < 1e-12);
     assert_eq!(ratio(&ours, &theirs, 1e-2).unwrap().ratio, 10.0);
     assert_eq!(ratio(&ours, &theirs, 1e-4).unwrap().ratio, 25.0);
     // One of them does not get there.
     assert!(ratio(&ours, &theirs, 1e-5).is_none() && ratio(&ours, &[], 1e-2).is_none());
+}
+
+#[test]
+fn times_taken_in_turns_are_compared_with_each_other_only() {
+    let mut points = [point(1.0, 1e-3), point(2.0, 1e-3), point(3.0, 1e-4)];
+    let all = |points: &[Point]| times(&in_turns(&points.iter().collect::<Vec<_>>()));
+    assert_eq!(all(&points), [1.0, 2.0, 3.0]);
+    points.iter_mut().skip(1).for_each(|point| point.time.as_mut().unwrap().in_turns = true);
+    assert_eq!(all(&points), [2.0, 3.0]);
 }
 
 #[test]
@@ -159,103 +171,8 @@ fn the_faster_family_is_told_range_by_range() {
     let all: Vec<&Point> = points.iter().collect();
     let found = leads(&all);
     let short: Vec<_> = found.iter().map(|lead| (lead.from, lead.to, lead.explicit, lead.ratio)).collect();
-    assert_eq!(
-        short,
-        [(1e-2, 1e-2, false, Some([2.0, 2.0])), (1e-3, 1e-4, true, Some([2.0, 4.0])), (1e-5, 1e-5, true, None)]
-    );
-}
-
-/// A good line of the other program, and its heading.
-fn peer_fields() -> Vec<(&'static str, String)> {
-    let values = [
-        "pendulum-flexible",
-        "Exudyn",
-        "1.9",
-        "ANCFCable2D",
-        "generalized-alpha",
-        "8",
-        "0.001",
-        "1e-6",
-        "true",
-        "EigenSparse",
-        "ok",
-        "",
-        "5",
-        "0.2",
-        "0.1",
-        "0.4",
-        "2000",
-        "4000",
-        "12",
-        "tip",
-        "0.25 0.5 0.75 1.0 1.25 1.5 1.75 2.0",
-        "1 2 3 4 5 6 7 8",
-        "1 1 1 1 1 1 1 1",
-    ];
-    peers::COLUMNS.split(',').zip(values.map(String::from)).collect()
-}
-
-fn peer_file(fields: &[(&str, String)]) -> String {
-    let join = |parts: Vec<&str>| parts.join(",");
-    let names = join(fields.iter().map(|(name, _)| *name).collect());
-    names + "\n" + &join(fields.iter().map(|(_, value)| value.as_str()).collect()) + "\n"
-}
-
-#[test]
-fn another_program_is_read_and_compared() {
-    let found = peers::parse("peers.csv", &peer_file(&peer_fields())).unwrap();
-    let [peer] = &found[..] else { panic!("{} rows", found.len()) };
-    let Point { program, elements, explicit, status, .. } = &peer.point;
-    assert_eq!((program.as_str(), *elements, *explicit, *status), ("Exudyn 1.9", 8, false, Status::Ok));
-    assert_eq!(peer.point.time, Some(Timing { runs: 5, median: 0.2, min: 0.1, max: 0.4 }));
-    assert_eq!(peer.samples.as_ref().unwrap().position[7], [8.0, 1.0]);
-
-    let mut fields = peer_fields();
-    (fields[10].1, fields[11].1) = ("failed".into(), "diverged".into());
-    for place in [12, 13, 14, 15, 17, 18, 20, 21, 22] {
-        fields[place].1 = String::new();
-    }
-    let found = peers::parse("peers.csv", &peer_file(&fields)).unwrap();
-    assert_eq!((found[0].point.status, found[0].point.reason.as_str()), (Status::Failed, "diverged"));
-    assert_eq!(found[0].samples, None);
-
-    fields[1].1 = "\u{1b}[2Jmine".into();
-    let found = peers::parse("peers.csv", &peer_file(&fields)).unwrap();
-    assert_eq!(found[0].point.program, "\\u{1b}[2Jmine 1.9", "a picture has no place for control characters");
-}
-
-#[test]
-fn a_malformed_file_of_another_program_is_refused_by_line_and_column() {
-    let cases = [
-        ("scene", "pendulum", "a scene of the study: pendulum-flexible"),
-        ("status", "fine", "ok, failed"),
-        ("elements", "0", "a whole number over 0"),
-        ("elements", "4.5", "a whole number, not negative, or nothing"),
-        ("step", "-1", "a number over 0"),
-        ("time_median_s", "nan", "a number over 0"),
-        ("time_median_s", "0.5", "between the least, 0.1, and the largest, 0.4"),
-        ("runs", "", "a whole number over 0"),
-        ("method", "", "a name"),
-        ("probe", "nose", "the study's: tip, at the point a"),
-        ("x", "1 2 3", "as many numbers as `t` has, 8"),
-        ("y", "1 1 1 1 1 1 1 inf", "finite numbers with spaces between them"),
-        ("t", "0 1 2 3 4 5 6 7", "the study's times: [0.25, 0.5"),
-    ];
-    for (column, value, allowed) in cases {
-        let mut fields = peer_fields();
-        fields.iter_mut().find(|(name, _)| *name == column).unwrap().1 = value.into();
-        let error = peers::parse("my.csv", &peer_file(&fields)).unwrap_err();
-        let shown = if value.is_empty() { "empty".into() } else { format!("`{value}`") };
-        let message = error.to_string();
-        assert!(message.starts_with(&format!("my.csv:2: `{column}` is {shown}; allowed: ")), "{message}");
-        assert!(message.contains(allowed) && error.is_bad_input(), "{message}");
-    }
-    let without = peer_fields().into_iter().filter(|(name, _)| *name != "jacobians").collect::<Vec<_>>();
-    let message = peers::parse("my.csv", &peer_file(&without)).unwrap_err().to_string();
-    assert!(message.starts_with("my.csv:1: `jacobians` is missing; allowed: a heading with scene,"), "{message}");
-    let short = peer_file(&peer_fields()) + "pendulum-flexible,Exudyn\n";
-    let message = peers::parse("my.csv", &short).unwrap_err().to_string();
-    assert!(message.starts_with("my.csv:3: `line` is malformed"), "{message}");
+    let [a, b, c, d] = [1e-2, 1e-3, 1e-4, 1e-5].map(|error| error + UNCERTAINTY);
+    assert_eq!(short, [(a, a, false, Some([2.0, 2.0])), (b, c, true, Some([2.0, 4.0])), (d, d, true, None)]);
 }
 
 fn cantilever() -> &'static Benchmark {
@@ -272,11 +189,12 @@ fn a_broken_reference_is_refused() {
     let text = reference_text();
     let parse = |text: &str| Reference::parse("cantilever-ancf.json", text, cantilever(), Element::Ancf);
     parse(&text).unwrap();
-    let broken: [(&str, &str, &str); 6] = [
-        ("ancf-converged/1", "ancf-converged/2", "its schema is ancf-converged/2"),
+    let broken: [(&str, &str, &str); 7] = [
+        ("\"version\": \"2.0\"", "\"version\": \"1.0\"", "its version is 1.0, not 2.0"),
+        ("ancf-converged/2", "ancf-converged/1", "its schema is ancf-converged/1"),
         ("\"scene\": \"cantilever\"", "\"scene\": \"pendulum\"", "it is of pendulum with ancf"),
         ("\"uncertainty\": ", "\"uncertainty\": 1e-3, \"was\": ", "unknown field `was`"),
-        ("\"time_uncertainty\": ", "\"time_uncertainty\": -", "the run with 1 elements is not whole"),
+        ("\"time_uncertainty\":", "\"time_uncertainty\":-", "the run with 1 elements is not whole"),
         ("\"elements\": 256,\n    \"space\"", "\"elements\": 128,\n    \"space\"", "not the converged one of 128"),
         ("\"space\": ", "\"space\": 1", "does not cover"),
     ];
@@ -332,11 +250,17 @@ fn a_setup_records_what_it_is_asked_for() {
         resolution: Resolution::Steps(500),
     };
     let scene = setup.scene(Record::Position).unwrap();
+    assert_eq!(setup.scene(Record::Instants).unwrap().output.interval, Some(0.005));
     assert_eq!(scene.columns(), ["t", "tip.x", "tip.y"]);
     assert_eq!((scene.rods[0].elements, scene.rods[0].element, scene.time.step), (3, Element::EulerBernoulli, 5e-4));
     assert_eq!((scene.output.interval, scene.time.method), (Some(0.25), Method::EnergyMomentum));
-    let columns = setup.scene(Record::Energies).unwrap().columns();
-    assert!(columns.contains(&"tip.vx".into()) && columns.contains(&"energy.balance".into()), "{columns:?}");
+    let columns = setup.scene(Record::Steps).unwrap().columns();
+    assert!(
+        columns.contains(&"tip.vx".into())
+            && columns.contains(&"support.rx".into())
+            && columns.contains(&"energy.balance".into()),
+        "{columns:?}"
+    );
     // An explicit method begins at the largest stable step that divides the interval.
     let setup = Setup { technique: Technique::of(Method::Explicit).unwrap(), ..setup };
     let Resolution::Steps(parts) = setup.first_resolution().unwrap() else { panic!("not steps") };
@@ -361,14 +285,15 @@ fn every_method_is_in_the_study_and_no_two_techniques_are_the_same() {
     );
 }
 
-/// Sudden heat collapses an element within long steps.
+/// Sudden heat collapses an element within long steps. How far the others are from the reference, that of a relaxed start, is of no matter.
 #[test]
 fn failures_are_points_too() {
-    let benchmark = BENCHMARKS.iter().find(|benchmark| benchmark.scene == "pendulum-2d").unwrap();
-    let reference = Reference::embedded(benchmark, Element::Ancf).unwrap();
-    let subject = Subject { benchmark, element: Element::Ancf, reference };
+    let [sudden, relaxed] = ["pendulum-2d", "pendulum-2d-relaxed"].map(|scene| super::benchmarks::of(scene).unwrap());
+    let reference = Reference::embedded(relaxed, Element::Ancf).unwrap();
+    let subject = Subject::new(sudden, Element::Ancf, reference).unwrap();
     let points = subject.points(&Limits { longest_run: 0.005, finest_mesh: 1, finest_static: 1 }, || ()).unwrap();
-    let failures: Vec<_> = points.iter().filter(|point| point.status == Status::Failed).collect();
+    let failures: Vec<_> =
+        points.iter().map(|(_, point)| point).filter(|point| point.status == Status::Failed).collect();
     assert!(failures.iter().any(|point| point.reason.contains("collapsed")), "{} failures", failures.len());
     assert!(failures.iter().all(|point| point.errors.is_none() && point.time.is_none() && !point.reason.is_empty()));
 }
@@ -377,14 +302,14 @@ fn failures_are_points_too() {
 fn the_front_is_timed() {
     let benchmark = cantilever();
     let reference = Reference::embedded(benchmark, Element::EulerBernoulli).unwrap();
-    let subject = Subject { benchmark, element: Element::EulerBernoulli, reference };
+    let subject = Subject::new(benchmark, Element::EulerBernoulli, reference).unwrap();
     let limits = Limits { longest_run: 1.0, finest_mesh: 8, finest_static: 8 };
     let points = subject.points(&limits, || ()).unwrap();
-    assert!(points.iter().all(|point| point.status != Status::Failed), "a load step that is too long is halved");
-    let all: Vec<&Point> = points.iter().collect();
+    let all: Vec<&Point> = points.iter().map(|(_, point)| point).collect();
+    assert!(all.iter().all(|point| point.status != Status::Failed), "a load step that is too long is halved");
     let front = pareto_front(&all);
     // How long the front is depends on the machine's noise; where it ends does not.
-    assert!(!front.is_empty() && front.iter().all(|point| point.time.as_ref().unwrap().runs >= 5));
+    assert!(!front.is_empty() && front.iter().all(|point| point.time.as_ref().unwrap().runs >= 3));
     assert_eq!(front.last().unwrap().elements, 8);
     let errors = front.last().unwrap().errors.as_ref().unwrap();
     assert!(errors.reaction.unwrap() < 1e-6 && errors.time.unwrap() < 1e-9 && errors.velocity.is_none());

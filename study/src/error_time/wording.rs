@@ -16,9 +16,9 @@ pub fn seconds(time: f64) -> String {
     }
 }
 
-/// A median with its extremes.
+/// A median with its quartiles.
 pub fn timing(time: &Timing) -> String {
-    format!("{} ({} … {})", seconds(time.median), seconds(time.min), seconds(time.max))
+    format!("{} ({} … {})", seconds(time.median), seconds(time.lower), seconds(time.upper))
 }
 
 /// Run time of a point.
@@ -26,13 +26,13 @@ pub fn time_of(point: Option<&Point>) -> Option<String> {
     point?.time.as_ref().map(timing)
 }
 
-/// A ratio with its extremes.
+/// A ratio with its quartiles.
 pub fn ratio(ratio: &Ratio) -> String {
     let digits = |ratio: f64| if ratio < 10.0 { format!("{ratio:.2}") } else { format!("{ratio:.0}") };
     format!("{} × ({} … {})", digits(ratio.ratio), digits(ratio.least), digits(ratio.most))
 }
 
-/// Ratio of two run times, from the shortest over the longest run to the longest over the shortest.
+/// Ratio of two run times, from the lower over the upper quartile to the upper over the lower.
 pub fn ratio_of(time: &Timing, other: &Timing) -> String {
     ratio(&Ratio::of(0.0, time, other))
 }
@@ -50,6 +50,27 @@ pub fn leads(leads: &[Lead]) -> Vec<String> {
         }
     };
     leads.iter().map(sentence).collect()
+}
+
+/// For each decade of error the lines of a scene file that reach it fastest.
+pub fn advice(group: &Group) -> Vec<String> {
+    let line = |(error, point): (f64, Option<&Point>)| {
+        let point = point?;
+        let step = match (point.step, point.tolerance) {
+            (_, Some(tolerance)) => format!(", \"tolerance\": {tolerance:e}"),
+            (Some(step), None) if point.method == "static" => format!(", \"load_steps\": {:.0}", 1.0 / step),
+            (step, None) => step.map_or(String::new(), |step| format!(", \"step\": {step:?}")),
+        };
+        let newton =
+            point.newton_tolerance.map_or(String::new(), |newton| format!(", \"newton_tolerance\": {newton:e}"));
+        let method = &point.method;
+        Some(format!(
+            "{}, errors below {error:.0e} m: \"elements\": {} in each rod, \"time\": {{\"method\": \"{method}\"{step}{newton}}}",
+            group.name(),
+            point.elements
+        ))
+    };
+    group.decades().into_iter().filter_map(line).collect()
 }
 
 /// Our fastest point for an error, or the reason why there is none.

@@ -151,6 +151,6 @@ mod tests {
     fn the_kept_readings_have_every_statement() {
         let kept = Readings::kept().unwrap();
         assert_eq!(kept.readings.len(), READINGS.len());
-        assert!(kept.readings.iter().all(|read| read.standings.len() == 10));
+        assert!(kept.readings.iter().all(|read| read.standings.len() == 11));
     }
 }

@@ -26,14 +26,25 @@ pub const RODS: [&str; 3] = ["b1a2", "b2a3", "b3a4"];
 /// Temperature history with its hot half only: it returns to 0 with the same slope and stays there.
 const HOT_HALF: [[f64; 2]; 4] = [[0.0, 0.0], [0.25, 150.0], [1.25, 150.0], [1.5, 0.0]];
 
+/// End of the runs with that half, s: the statement about it ends there.
+const HOT_HALF_END: f64 = 2.5;
+
 /// Heat of the rods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Heat {
     None,
     Axis,
+    Section,
     AxisAndSection,
     /// Axis and section, without the cold half.
     HotHalf,
+}
+
+impl Heat {
+    /// Whether nothing but deflections is asked of its runs.
+    fn has_deflections_only(self) -> bool {
+        matches!(self, Heat::Section | Heat::HotHalf)
+    }
 }
 
 /// Setup of one run.
@@ -47,10 +58,12 @@ struct ScissorsSetup {
     energy: bool,
 }
 
-/// Runs with one mesh, step and method, and all four kinds of heat.
+/// Runs with one mesh, step and method, and all five kinds of heat.
 pub struct Family {
     pub flexible: ScissorsRun,
     pub axis: ScissorsRun,
+    /// Its columns are deflections only, as are those of `hot_half`, which ends early.
+    pub section: ScissorsRun,
     pub axis_and_section: ScissorsRun,
     pub hot_half: ScissorsRun,
 }
@@ -106,13 +119,13 @@ impl Structure {
     /// Runs all families of a reading.
     pub fn simulate(reading: &Reading) -> Result<Structure> {
         let family = |elements, step, damped, energy| {
-            [Heat::None, Heat::Axis, Heat::AxisAndSection, Heat::HotHalf].map(|heat| ScissorsSetup {
+            [Heat::None, Heat::Axis, Heat::Section, Heat::AxisAndSection, Heat::HotHalf].map(|heat| ScissorsSetup {
                 reading: *reading,
                 heat,
                 elements,
                 step,
                 damped,
-                energy,
+                energy: energy && !heat.has_deflections_only(),
             })
         };
         let families = [
@@ -123,7 +136,8 @@ impl Structure {
         ];
         let mut runs = in_parallel("scissors", families.as_flattened(), simulate)?.into_iter();
         let mut next = || runs.next().unwrap_or(ScissorsRun { step: STEP, trajectory: Trajectory::default() });
-        let mut family = || Family { flexible: next(), axis: next(), axis_and_section: next(), hot_half: next() };
+        let mut family =
+            || Family { flexible: next(), axis: next(), section: next(), axis_and_section: next(), hot_half: next() };
         let (fine, damped, twice_the_step, coarse) = (family(), family(), family(), family());
         Ok(Structure { fine, damped, twice_the_step, coarse })
     }
@@ -138,12 +152,14 @@ fn scene(setup: &ScissorsSetup) -> Result<Scene> {
     let model = match setup.heat {
         Heat::None => ThermalModel::None,
         Heat::Axis => ThermalModel::OneD,
+        Heat::Section => ThermalModel::Transverse,
         Heat::AxisAndSection | Heat::HotHalf => ThermalModel::TwoD,
     };
     let Reading { angle, .. } = setup.reading;
     let mut scene = Scissors { elements: setup.elements, model, angle, ..Scissors::new(3) }.scene()?;
     if let (Heat::HotHalf, Some(temperature)) = (setup.heat, &mut scene.temperature) {
         temperature.history = HOT_HALF.to_vec();
+        scene.time.end = HOT_HALF_END;
     }
     setup.reading.apply(&mut scene);
     if setup.damped {
@@ -153,6 +169,8 @@ fn scene(setup: &ScissorsSetup) -> Result<Scene> {
     (scene.output.interval, scene.output.energy) = (None, setup.energy);
     let of = [Quantity::Position, Quantity::Velocity, Quantity::Acceleration];
     scene.probes.retain(|probe| probe.rod.is_some());
-    scene.probes.extend(POINTS.map(|name| point_probe(name, &of)));
+    if !setup.heat.has_deflections_only() {
+        scene.probes.extend(POINTS.map(|name| point_probe(name, &of)));
+    }
     Ok(scene)
 }

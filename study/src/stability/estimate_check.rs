@@ -2,11 +2,11 @@
 
 use super::prelude::*;
 use crate::error_time::benchmark::Benchmark;
-use crate::error_time::benchmarks::BENCHMARKS;
+use crate::error_time::benchmarks::complete;
 use crate::error_time::reference::Reference;
-use crate::error_time::samples::Samples;
 use crate::error_time::setup::{Record, Resolution, Setup};
 use crate::error_time::technique::{Refinement, Technique};
+use crate::path::{Path, column, largest_distance, positions};
 use ancf::run::run_estimated;
 
 pub const CASE: Case = Case {
@@ -28,7 +28,7 @@ const MOST: f64 = 20.0;
 fn trials() -> Vec<Trial> {
     let fits =
         |(benchmark, _, technique): &(&Benchmark, Element, &Technique)| technique.is_static() == benchmark.is_static();
-    let solvers = iproduct!(&BENCHMARKS, ELEMENTS, Technique::of_each_method()).filter(fits);
+    let solvers = iproduct!(complete(), ELEMENTS, Technique::of_each_method()).filter(fits);
     let trials = solvers.flat_map(|(benchmark, element, technique)| {
         iproduct!(meshes(benchmark), resolutions(benchmark, technique)).map(move |(&elements, resolution)| {
             let start = resolution.unwrap_or(Resolution::Steps(1));
@@ -83,7 +83,13 @@ fn measure(mut setup: Setup, at_limit: bool) -> Result<Finding> {
     let own = run_estimated(&scene, |_| ())?;
     let reference = Reference::embedded(setup.benchmark, setup.element)?;
     let uncertainty = reference.converged.uncertainty;
-    let true_error = Samples::of(setup.benchmark, &own).distance(reference.solution());
+    // At the rows, all of which are instants of the reference.
+    let times = setup.benchmark.times();
+    let rows = column(&own, "t").into_iter().zip(positions(&own, setup.benchmark.probe)).filter(|(t, _)| *t > 0.0);
+    let known = |t: f64| times.iter().position(|instant| (instant - t).abs() < 1e-9);
+    let (known, its): (Path, Path) =
+        rows.filter_map(|(t, position)| Some((reference.solution().position[known(t)?], position))).unzip();
+    let true_error = largest_distance(&its, &known);
     let estimate = own.accuracy.total().unwrap_or(f64::NAN);
     let too_small = LEAST * (true_error - uncertainty) / estimate;
     let at_rows = own.accuracy.at_rows.unwrap_or(f64::NAN);
@@ -109,7 +115,7 @@ mod tests {
     #[test]
     fn every_scene_of_the_study_is_there_with_every_method() {
         let names: Vec<String> = trials().into_iter().map(|trial| trial.variant).collect();
-        for benchmark in &BENCHMARKS {
+        for benchmark in complete() {
             let scissors = benchmark.scene.starts_with("scissors");
             let fitting = |technique: &&Technique| {
                 technique.is_static() == benchmark.is_static() && !(scissors && technique.explicit)

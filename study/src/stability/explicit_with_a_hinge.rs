@@ -2,7 +2,7 @@
 
 use super::prelude::*;
 use super::richardson;
-use crate::error_time::benchmarks::named;
+use crate::error_time::benchmarks::of;
 use crate::error_time::reference::Reference;
 use crate::paper::reference_pendulum::Oracle;
 use crate::paper::tip::Tip;
@@ -37,12 +37,11 @@ fn reference(element: Element, elements: usize) -> Result<(Tip, f64)> {
     if let Some(run) = run {
         return Ok((run.tip.clone(), run.error_estimate.position));
     }
-    let benchmark = named(&["pendulum-flexible".into()])?[0];
+    let benchmark = of("pendulum-flexible")?;
     let stored = Reference::embedded(benchmark, element)?;
     let missing = || Error::fixture(benchmark.scene, format!("no mesh of {elements} elements {element}"));
     let mesh = stored.mesh(elements).ok_or_else(missing)?;
-    let samples = benchmark.times().into_iter().zip(mesh.samples.position.iter().copied());
-    let (t, r) = samples.filter(|(t, _)| *t <= END).unzip();
+    let (t, r) = stored.rows(benchmark, mesh).filter(|(t, _)| *t <= END).unzip();
     Ok((Tip { t, r }, mesh.time_uncertainty))
 }
 

@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 
 use super::prelude::*;
 use super::richardson::Series;
-use crate::error_time::benchmarks::named;
+use crate::error_time::benchmarks::of;
 use crate::error_time::reference::Reference;
 use crate::paper::tip::Tip;
 use ancf::run::run_estimated;
@@ -114,11 +114,11 @@ impl Converged {
         let path = tip(&finest);
         let meshes = Series::new(largest_distance(&coarse, &middle), largest_distance(&middle, &path), 2);
         let uncertainty = meshes.rest() + largest_distance(&path, &finer);
-        let benchmark = named(&["pendulum-2d".into()])?[0];
+        let benchmark = of("pendulum-2d")?;
         let stored = Reference::embedded(benchmark, Element::Ancf)?;
         let own = Tip::of(&finest);
-        let instants = benchmark.times().into_iter().zip(&stored.solution().position).filter(|(t, _)| *t <= END);
-        let (own, known): (Path, Path) = instants.map(|(t, known)| (own.at(t), *known)).unzip();
+        let instants = stored.rows(benchmark, stored.finest()).filter(|(t, _)| *t <= END);
+        let (own, known): (Path, Path) = instants.map(|(t, known)| (own.at(t), known)).unzip();
         let apart = largest_distance(&own, &known);
         if apart <= uncertainty + stored.converged.uncertainty {
             return Ok(Converged { path, uncertainty });

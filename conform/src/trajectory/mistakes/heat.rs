@@ -44,6 +44,14 @@ pub fn heat(scene: &Scene, add: &mut Add) {
             setup.heat = [0.0, 1.0];
         });
     }
+    if heats().any(|heat| heat.model == ThermalModel::Transverse) {
+        add("2D heat in place of heat across the rod only", HEAT, &|setup| {
+            each_heat(&mut setup.scene, |heat| heat.model = ThermalModel::TwoD)
+        });
+        add("the thermal strain along the rod in place of across", HEAT, &|setup| {
+            each_heat(&mut setup.scene, |heat| heat.model = ThermalModel::OneD)
+        });
+    }
     if heats().any(|heat| heat.at(0.0) != 0.0) {
         let (what, other) = match relaxed {
             true => ("a sudden start in place of a relaxed one", Start::Sudden),
@@ -97,6 +105,9 @@ pub fn heat(scene: &Scene, add: &mut Add) {
         let other = match own {
             Some(ThermalModel::TwoD) => Some((ThermalModel::OneD, "1D heat in place of 2D")),
             Some(ThermalModel::OneD) => Some((ThermalModel::TwoD, "2D heat in place of 1D")),
+            Some(ThermalModel::Transverse) => {
+                Some((ThermalModel::TwoD, "2D heat in place of heat across the rod only"))
+            }
             _ => None,
         };
         if let Some((model, what)) = other {
