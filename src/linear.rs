@@ -5,6 +5,7 @@
 
 mod band;
 mod banded_ldlt;
+mod block_lanczos;
 mod bordered;
 mod condensed;
 mod frontal;
@@ -16,6 +17,7 @@ mod number;
 
 pub use band::{BandLu, BandMatrix};
 pub use banded_ldlt::BandedLdlt;
+pub use block_lanczos::{Eigenpairs, largest_eigenvalues};
 pub use bordered::{BlockMut, Bordered, BorderedLu, InertiaMemory};
 pub use condensed::CondensedFactors;
 pub use frontal::{Chain, FrontalChain, NO_UNKNOWN};
