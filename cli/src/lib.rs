@@ -4,6 +4,7 @@ pub mod compare;
 mod ends;
 pub mod error;
 mod frames;
+pub mod modes;
 pub mod options;
 mod output;
 mod page;
