@@ -110,12 +110,18 @@ fn directions_make_no_difference() {
     }
 }
 
-/// Tension has no positive factor, and heat that a free end takes up none either.
+/// Tension has no factor, nor has the load across a cantilever, which bends from the start.
 #[test]
-fn tension_does_not_buckle() {
-    let model = held(Element::Ancf, 0.0).force(Force::new("b", [13.0, 0.0])).build().unwrap();
-    let found = buckling(&model, About::Loaded).unwrap();
-    assert_eq!((found.factor, found.shape.len()), (None, 0));
+fn tension_and_bending_do_not_buckle() {
+    for element in [Element::Ancf, Element::EulerBernoulli] {
+        let tension = held(element, 0.0).force(Force::new("b", [13.0, 0.0]));
+        let mut cantilever = held(element, 0.0).force(Force::new("b", [0.0, -1.0]));
+        cantilever.supports = vec![Support::pinned("a").clamping("rod")];
+        for scene in [tension, cantilever] {
+            let found = buckling(&scene.build().unwrap(), About::Loaded).unwrap();
+            assert_eq!((found.linearised, found.factor, found.shape.len()), (None, None, 0));
+        }
+    }
 }
 
 #[test]

@@ -3,6 +3,10 @@
 //! K(s) is the tangent along the path of equilibria u(s) under the part s of the load. Its rate at no load, K'(0), holds the
 //! stresses and the change of shape of first order. (K(0) + λ K'(0)) x = 0 has x with 1/λ as an eigenvalue of −K(0)⁻¹ K'(0),
 //! which is self-adjoint in the inner product of K(0).
+//!
+//! A load that bends couples bending and stretching in K'(0), and K(0) + λ K'(0) is singular where a deflection is of the order of the
+//! height: terms of second order, which are left out, keep K positive there. So a factor counts only if the tangent itself has a
+//! negative eigenvalue a little beyond it, at the displacement λ u'.
 
 use nalgebra::DVector;
 
@@ -15,6 +19,12 @@ const STRAIN: f64 = 1e-4;
 
 /// Start vectors, more than there are of one buckling load as a rule.
 const BLOCK: usize = 4;
+
+/// Eigenvalues among which the first one that the tangent confirms is looked for.
+const CANDIDATES: usize = 12;
+
+/// Part of a factor beyond which the tangent must have a negative eigenvalue.
+const BEYOND: f64 = 1.05;
 
 /// Least 1/λ: heat and loads do not take a structure's stiffness at a millionth of what would buckle it.
 const LEAST: f64 = 1e-9;
@@ -52,9 +62,16 @@ impl Structure {
             factors.solve(&mut moved);
             moved
         };
-        let found = largest_eigenvalues(self.size(), 1, BLOCK, softened, |x| start.product(x)).unwrap_or_default();
-        let first = found.values.first().copied().zip(found.vectors.into_iter().next());
-        Ok(first.filter(|(inverse, _)| inverse * part > LEAST * STRAIN).map(|(inverse, shape)| (1.0 / inverse, shape)))
+        let found = largest_eigenvalues(self.size(), CANDIDATES, BLOCK, softened, |x| start.product(x));
+        let found = found.unwrap_or_default();
+        let factors = &mut self.factors();
+        let mut is_confirmed = |factor: f64| {
+            let far = BEYOND * factor;
+            let thermal: Vec<ThermalStrain> = heat.iter().map(|strains| strains.map(|strain| far * strain)).collect();
+            self.eigenvalues_below(0.0, &(far * &rate), &thermal, factors).is_none_or(|negative| negative > 0)
+        };
+        let positive = found.values.into_iter().zip(found.vectors).filter(|(value, _)| value * part > LEAST * STRAIN);
+        Ok(positive.map(|(value, shape)| (1.0 / value, shape)).find(|(factor, _)| is_confirmed(*factor)))
     }
 
     /// K'(0), as the difference of the tangents at ±`part` of the load.
