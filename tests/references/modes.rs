@@ -65,7 +65,7 @@ fn frequencies_are_those_of_the_theory() {
         });
         for n in 0..3 {
             let exact = reference.value(&format!("omega_{}", n + 1));
-            let [e_16, e_32, e_64] = [0, 1, 2].map(|mesh: usize| found[mesh][n] / exact - 1.0);
+            let [e_16, e_32, e_64] = found.each_ref().map(|omega| omega[n] / exact - 1.0);
             let order = (e_16 / e_32).log2();
             let what = format!("{}, mode {}", reference.id(), n + 1);
             println!("{what}: {e_16:+.2e} {e_32:+.2e} {e_64:+.2e}, order {order:.2}");
