@@ -4,6 +4,7 @@
 //! multipliers among the unknowns each rod is a band, and a border couples the bands: [`Bordered`].
 
 mod band;
+mod block_lanczos;
 mod bordered;
 mod condensed;
 mod frontal;
@@ -14,6 +15,7 @@ mod modes;
 mod number;
 
 pub use band::{BandLu, BandMatrix};
+pub use block_lanczos::{Eigenpairs, largest_eigenvalues};
 pub use bordered::{BlockMut, Bordered, BorderedLu, InertiaMemory};
 pub use condensed::CondensedFactors;
 pub use frontal::{Chain, FrontalChain, NO_UNKNOWN};

@@ -2,12 +2,15 @@
 
 mod accuracy;
 mod axis;
+mod buckling;
 mod column_errors;
 mod energy;
 mod equilibria;
+mod equilibrium_scene;
 mod estimate;
 mod growth;
 mod load_scale;
+mod modes;
 mod monitor;
 mod observer;
 mod perturbed;
@@ -23,7 +26,10 @@ mod window_mean;
 
 pub use accuracy::{Accuracy, ColumnAccuracy, Convergence, Estimate};
 pub use axis::AxisPoint;
+pub use buckling::{Buckling, buckling};
+pub use equilibrium_scene::About;
 pub use estimate::run_estimated;
+pub use modes::{Kind, Mode, Modes, modes};
 pub use result::Run;
 pub use simulation::{Energies, Simulation, run, run_with_progress};
 pub use trajectory::{Rows, Trajectory};

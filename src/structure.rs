@@ -14,6 +14,7 @@
 //! ([`Bordered`](crate::linear::Bordered)).
 
 mod axis;
+mod buckling;
 mod build;
 mod collapse;
 mod constraint_row;
@@ -31,6 +32,7 @@ mod node_dofs;
 mod numbering;
 mod point;
 mod probes;
+mod rigid_motion;
 mod rod;
 mod rod_elements;
 mod rotation;
@@ -41,6 +43,7 @@ mod sweep;
 mod uniform_elements;
 mod unknown_kind;
 mod unknowns;
+mod vibration;
 
 use std::sync::Arc;
 
@@ -61,6 +64,7 @@ pub use mass::MassFactors;
 pub use matrix::{Factors, Matrix};
 pub use probes::{Instant, PointId, RodId};
 pub use stability::StabilityCounter;
+pub use vibration::{Kind, Vibration};
 
 /// A model's structure, ready for statics and dynamics.
 #[derive(Clone, Debug)]

@@ -5,6 +5,7 @@ pub mod cost;
 mod ends;
 pub mod error;
 mod frames;
+pub mod modes;
 pub mod options;
 mod output;
 mod page;

@@ -8,6 +8,7 @@ use std::process::ExitCode;
 
 use ancf::internals::model::{Scissors, Words, builtin_names, builtin_text};
 use ancf::model::{Model, ThermalModel};
+use ancf::run::About;
 use ancf_conform::{equations_text, load_state};
 use ancf_study::escape;
 use ancf_study::files::written_lines;
@@ -19,7 +20,7 @@ use ancf_cli::cost::cost_text;
 use ancf_cli::error::{Error, Result};
 use ancf_cli::options::Options;
 use ancf_cli::summary::refused_line;
-use ancf_cli::{compare, report, run, source};
+use ancf_cli::{compare, modes, report, run, source};
 
 /// Planar thermo-elastic ANCF beam (Peng et al. 2018).
 ///
@@ -97,6 +98,25 @@ enum Command {
     Readings {
         #[command(flatten)]
         out: Out,
+    },
+    /// Natural frequencies and shapes of a scene's structure, and the factor at which it buckles; writes modes.json and modes.html.
+    Modes {
+        #[command(flatten)]
+        scene: SceneArguments,
+        /// State to vibrate about: as built, in equilibrium under the heat alone, or under all loads [default: loaded in statics and for
+        /// --buckling, otherwise unloaded].
+        #[arg(long, value_name = "STATE", value_parser = about())]
+        about: Option<About>,
+        /// Number of vibrations, after the motions without a force.
+        #[arg(long, value_name = "N", default_value_t = 6)]
+        number: usize,
+        /// Find the multiple of the loads (with `--about heated`, of the heat) at which the structure buckles.
+        #[arg(long)]
+        buckling: bool,
+        #[command(flatten)]
+        out: Out,
+        #[command(flatten)]
+        scissors: ScissorsOptions,
     },
     /// Say what is computed for a scene, what is left out, and why.
     Plan {
@@ -187,6 +207,12 @@ fn model() -> impl TypedValueParser<Value = ThermalModel> {
     known.try_map(|word| ThermalModel::from_word(&word).ok_or("not a thermal model"))
 }
 
+/// Reads the word for a state.
+fn about() -> impl TypedValueParser<Value = About> {
+    let known = PossibleValuesParser::new(About::ALL.map(About::word));
+    known.try_map(|word| About::ALL.into_iter().find(|about| about.word() == word).ok_or("not a state"))
+}
+
 impl ScissorsOptions {
     /// The structure of a scene's name with these changes; `None` if there are none.
     fn change(&self, name: &str) -> Result<Option<Scissors>> {
@@ -226,6 +252,10 @@ fn main() -> ExitCode {
         Some(Command::Conform(arguments)) => conform::conform(arguments),
         Some(Command::Stability { cases, out }) => stability::study(cases, &out.folder, print).map_err(Error::from),
         Some(Command::Readings { out }) => ancf_study::readings(&out.folder, print).map_err(Error::from),
+        Some(Command::Modes { scene, about, number, buckling, out, scissors }) => {
+            let options = modes::Options { about: *about, number: *number, buckling: *buckling };
+            print_modes(scene, options, scissors, &out.folder)
+        }
         Some(Command::Plan { scene, cost, scissors }) => print_plan(scene, *cost, scissors),
         Some(Command::Compare(arguments)) => compare_runs(arguments),
         Some(Command::Completions { shell }) => {
@@ -288,6 +318,17 @@ fn load(scene: &SceneArguments, options: &ScissorsOptions) -> Result<Model> {
 /// `ancf equations`.
 fn print_equations(state: &str) -> Result<()> {
     Ok(print(&equations_text(&load_state(state)?, state)?)?)
+}
+
+/// `ancf modes`.
+fn print_modes(
+    scene: &SceneArguments,
+    options: modes::Options,
+    scissors: &ScissorsOptions,
+    folder: &Path,
+) -> Result<()> {
+    let model = load(scene, scissors)?;
+    Ok(print(&modes::run(&model, &scene.scene, options, folder)?)?)
 }
 
 /// `ancf plan`.

@@ -12,11 +12,21 @@ import mpmath
 import sympy
 
 from ..fixtures import fixture
-from . import circle, director, elastica, frequency, heated_rod, imperfection, reissner, timoshenko
+from . import (
+    circle,
+    director,
+    elastica,
+    frequency,
+    heated_rod,
+    imperfection,
+    prestressed,
+    reissner,
+    timoshenko,
+)
 
 FILE = "references.json"
 
-PROBLEMS = (elastica, reissner, director, timoshenko, circle, heated_rod, frequency, imperfection)
+PROBLEMS = (elastica, reissner, director, timoshenko, circle, heated_rod, frequency, imperfection, prestressed)
 
 
 def generate():

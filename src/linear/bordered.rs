@@ -119,6 +119,13 @@ impl Bordered {
         self.corner.add_scaled(factor, &other.corner);
     }
 
+    /// Product with a vector.
+    pub fn product(&self, x: &DVector<f64>) -> DVector<f64> {
+        let mut product = DVector::zeros(self.size());
+        self.each(|row, column, value| product[row] += value * x[column]);
+        product
+    }
+
     /// LU factors: each block, then the remaining corner.
     ///
     /// # Errors

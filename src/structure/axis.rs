@@ -14,6 +14,12 @@ impl Structure {
         (rod.from + place * rod.along + rod.mesh.axis(place, u), rod.mesh.section_state(place, u))
     }
 
+    /// Displacement of a rod's axis at a fraction of its length, m.
+    pub fn axis_displacement(&self, rod: RodId, fraction: f64, u: &DVector<f64>) -> Vector2<f64> {
+        let rod = &self.rods[rod.0];
+        rod.mesh.axis(fraction * rod.elements as f64, u)
+    }
+
     /// Temperature change ΔT of a rod at time `t` (load factor in statics), K, and the axial strain that it causes freely:
     /// αΔT, or none where heat strains the rod across only. Both are zero for a rod that no heat strains.
     pub fn heat(&self, rod: RodId, t: f64) -> [f64; 2] {

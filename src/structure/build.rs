@@ -72,6 +72,16 @@ impl Structure {
         Structure::assembled(scene, plan, path, Some(&deviation))
     }
 
+    /// Number of independent motions of a model's structure without strain, to first order: rigid ones and those of mechanisms.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] where too many rods meet for the memory.
+    pub(crate) fn degrees_of_freedom(model: &Model) -> Result<usize> {
+        let (scene, plan) = (model.scene(), Plan::of(model.scene()));
+        let rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, &plan)).collect();
+        mobility::degrees_of_freedom(scene, &points(scene, &rods), &rods)
+    }
+
     /// Structure that starts in a deviated shape, free of stress there.
     fn assembled(scene: &Scene, plan: &Plan, path: Path, deviation: Option<&Deviation>) -> Result<Structure> {
         let mut rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, plan, path)).collect();

@@ -139,7 +139,7 @@ impl Structure {
 
     /// Displacement of the node that moves farthest, with the sign that it is positive by: to the left of its rod's
     /// direction, or along it where it does not move across.
-    fn farthest(&self, u: &DVector<f64>) -> f64 {
+    pub fn farthest(&self, u: &DVector<f64>) -> f64 {
         let nodes = || {
             self.rods.iter().flat_map(|rod| {
                 let positions = (0..rod.chain.len()).filter(|n| rod.nodal(*n).0 == Meaning::Position);

@@ -20,7 +20,18 @@ impl Structure {
         rate: f64,
         factors: &mut Factors,
     ) -> Option<usize> {
-        let shifted = Matrix::Tangent { u, thermal, stiffness: 1.0, mass: rate * rate };
+        self.eigenvalues_below(-rate * rate, u, thermal, factors)
+    }
+
+    /// Number of eigenvalues of K x = λ M x below `bound`, 1/s²: that of the negative ones of K − `bound` · M.
+    pub(super) fn eigenvalues_below(
+        &self,
+        bound: f64,
+        u: &DVector<f64>,
+        thermal: &[ThermalStrain],
+        factors: &mut Factors,
+    ) -> Option<usize> {
+        let shifted = Matrix::Tangent { u, thermal, stiffness: 1.0, mass: -bound };
         match factors {
             Factors::Condensed(chains) => chains.negative_eigenvalues(|rod, element, columns| {
                 self.rods[rod].mesh.matrix(element, &shifted.of_rod(rod), columns);

@@ -37,36 +37,77 @@ const RIGID_VELOCITIES: usize = 3;
 /// # Errors
 /// [`Error::Drifts`] with the moving rods; [`Error::TooLarge`] where too many rods meet for the memory.
 pub(super) fn check(scene: &Scene, points: &BTreeMap<String, Point>, rods: &[Rod]) -> Result<()> {
-    let place = rod_positions(rods.len(), points);
-    let mut rows: Vec<Vec<(usize, f64)>> = Vec::new();
-    for point in points.values() {
-        let mut nodes = point.nodes.clone();
-        // Neighbours in the order of rods, so that the band stays narrow where many rods meet.
-        nodes.sort_by_key(|node| place[node.rod]);
-        let pins = nodes.windows(2).flat_map(|pair| pin(pair[0], pair[1]));
-        rows.extend(pins.map(|row| rates(scene, rods, &place, &row)));
-    }
-    rows.extend(supports(scene, points).map(|row| rates(scene, rods, &place, &row)));
-    rows.sort_by_key(|row| row.iter().map(|(column, _)| *column).min());
-
-    let mut factor = TriangularFactor::new(RIGID_VELOCITIES * rods.len(), &rows)?;
-    rows.iter().for_each(|row| factor.rotate_in(row));
-    let mut x = DVector::from_fn(factor.size, |n, _| 1.0 + 0.5 * (1.7 * n as f64).sin());
-    for _ in 0..ITERATIONS {
-        factor.solve_transposed(&mut x);
-        x /= x.amax();
-        factor.solve(&mut x);
-        x /= x.amax();
-    }
-    let stretch = |row: &Vec<(usize, f64)>| row.iter().map(|(column, weight)| weight * x[*column]).sum::<f64>().powi(2);
-    if rows.iter().map(stretch).sum::<f64>().sqrt() > STRAIN_FREE * x.norm() {
-        return Ok(());
-    }
-    let moves = |rod: usize| x.rows(RIGID_VELOCITIES * place[rod], RIGID_VELOCITIES).amax() > 1e-6;
+    let mechanism = Mechanism::new(scene, points, rods)?;
+    let Some(x) = mechanism.next_motion(&[]) else { return Ok(()) };
+    let moves = |rod: usize| x.rows(RIGID_VELOCITIES * mechanism.place[rod], RIGID_VELOCITIES).amax() > 1e-6 * x.amax();
     let moving: Vec<String> =
         (0..rods.len()).filter(|&rod| moves(rod)).map(|rod| format!("`{}`", rods[rod].name)).collect();
     let more = if moving.len() > MOST_NAMES { " …" } else { "" };
     Err(Error::Drifts { rods: moving[..moving.len().min(MOST_NAMES)].join(", ") + more })
+}
+
+/// Number of independent motions without strain.
+///
+/// # Errors
+/// [`Error::TooLarge`] where too many rods meet for the memory.
+pub(super) fn degrees_of_freedom(scene: &Scene, points: &BTreeMap<String, Point>, rods: &[Rod]) -> Result<usize> {
+    let mechanism = Mechanism::new(scene, points, rods)?;
+    let mut motions = Vec::new();
+    while let Some(motion) = mechanism.next_motion(&motions) {
+        motions.push(motion);
+    }
+    Ok(motions.len())
+}
+
+/// Rigid rods with their constraints C, and the factor R.
+struct Mechanism {
+    /// Position of each rod in the order of the columns.
+    place: Vec<usize>,
+    rows: Vec<Vec<(usize, f64)>>,
+    factor: TriangularFactor,
+}
+
+impl Mechanism {
+    fn new(scene: &Scene, points: &BTreeMap<String, Point>, rods: &[Rod]) -> Result<Mechanism> {
+        let place = rod_positions(rods.len(), points);
+        let mut rows: Vec<Vec<(usize, f64)>> = Vec::new();
+        for point in points.values() {
+            let mut nodes = point.nodes.clone();
+            // Neighbours in the order of rods, so that the band stays narrow where many rods meet.
+            nodes.sort_by_key(|node| place[node.rod]);
+            let pins = nodes.windows(2).flat_map(|pair| pin(pair[0], pair[1]));
+            rows.extend(pins.map(|row| rates(scene, rods, &place, &row)));
+        }
+        rows.extend(supports(scene, points).map(|row| rates(scene, rods, &place, &row)));
+        rows.sort_by_key(|row| row.iter().map(|(column, _)| *column).min());
+
+        let mut factor = TriangularFactor::new(RIGID_VELOCITIES * rods.len(), &rows)?;
+        rows.iter().for_each(|row| factor.rotate_in(row));
+        Ok(Mechanism { place, rows, factor })
+    }
+
+    /// A motion without strain beside `known` ones of unit length, of unit length and normal to them.
+    fn next_motion(&self, known: &[DVector<f64>]) -> Option<DVector<f64>> {
+        let phase = 1.7 + 0.3 * known.len() as f64;
+        let mut x = DVector::from_fn(self.factor.size, |n, _| 1.0 + 0.5 * (phase * n as f64).sin());
+        if known.len() >= x.len() {
+            return None;
+        }
+        for _ in 0..ITERATIONS {
+            self.factor.solve_transposed(&mut x);
+            x /= x.amax();
+            self.factor.solve(&mut x);
+            x /= x.amax();
+            // What rounding leaves of the first pass the second one takes.
+            for motion in known.iter().chain(known) {
+                x.axpy(-motion.dot(&x), motion, 1.0);
+            }
+            x.normalize_mut();
+        }
+        let stretch =
+            |row: &Vec<(usize, f64)>| row.iter().map(|(column, weight)| weight * x[*column]).sum::<f64>().powi(2);
+        (self.rows.iter().map(stretch).sum::<f64>().sqrt() <= STRAIN_FREE).then_some(x)
+    }
 }
 
 /// Upper triangular factor of a matrix with banded rows.

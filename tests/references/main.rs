@@ -13,5 +13,6 @@ mod circle;
 mod heat;
 mod imperfection;
 mod large_bending;
+mod modes;
 mod small_loads;
 mod vibration;
