@@ -78,7 +78,7 @@ impl Structure {
     /// [`Error::TooLarge`] where too many rods meet for the memory.
     pub(crate) fn degrees_of_freedom(model: &Model) -> Result<usize> {
         let (scene, plan) = (model.scene(), Plan::of(model.scene()));
-        let rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, &plan)).collect();
+        let rods: Vec<Rod> = scene.rods.iter().map(|rod| Rod::new(scene, rod, &plan, Path::chosen())).collect();
         mobility::degrees_of_freedom(scene, &points(scene, &rods), &rods)
     }
 
