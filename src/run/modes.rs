@@ -80,7 +80,7 @@ impl Modes {
 /// let free = modes(&scene.clone().build()?, About::Unloaded, 3)?;
 /// assert_eq!((free.count(Kind::Rigid), free.count(Kind::Vibration)), (3, 3));
 ///
-/// let held = scene.support(Support::pinned("a")).support(Support::sliding("b", [0.0, 1.0]));
+/// let held = scene.support(Support::pinned("a")).support(Support::sliding("b", [1.0, 0.0]));
 /// let first = &modes(&held.build()?, About::Unloaded, 3)?.modes[0];
 /// let euler = 0.5 * std::f64::consts::PI * (2e8 * 0.02_f64.powi(2) / 12.0 / 7750.0).sqrt();
 /// assert!((first.frequency().unwrap() / euler - 1.0).abs() < 1e-3);
