@@ -109,7 +109,11 @@ pub fn modes(model: &Model, about: About, number: usize) -> Result<Modes> {
         (statics.structure().clone(), statics.state().u.clone(), statics.state().load)
     };
     let found = structure.slowest_vibrations(&u, &structure.thermal_strains(load), free, number, square_scale(&scene));
-    let not_found = || refused("number", number.to_string(), "fewer modes: these did not converge".into());
+    let not_found = || {
+        let allowed = "fewer modes, or a structure of fewer rods: these did not converge; the slowest vibrations of a long \
+                       chain are lost in the rounding of the fastest";
+        refused("number", number.to_string(), allowed.into())
+    };
     let found = found.ok_or_else(not_found)?;
     let at = fractions(&scene);
     let modes = found.iter().map(|mode| {
