@@ -51,7 +51,7 @@ pub struct Buckling {
 ///     .point("b", [1.0, 0.0])
 ///     .rod(Rod::new("rod", "a", "b").elements(Element::Ancf, 8))
 ///     .support(Support::pinned("a"))
-///     .support(Support::sliding("b", [0.0, 1.0]))
+///     .support(Support::sliding("b", [1.0, 0.0]))
 ///     .force(Force::new("b", [-10.0, 0.0]));
 /// let found = buckling(&column.build()?, About::Loaded)?;
 /// let euler = std::f64::consts::PI.powi(2) * 2e8 * 0.02_f64.powi(4) / 12.0 / 10.0;

@@ -80,7 +80,7 @@ impl Modes {
 /// let free = modes(&scene.clone().build()?, About::Unloaded, 3)?;
 /// assert_eq!((free.count(Kind::Rigid), free.count(Kind::Vibration)), (3, 3));
 ///
-/// let held = scene.support(Support::pinned("a")).support(Support::sliding("b", [0.0, 1.0]));
+/// let held = scene.support(Support::pinned("a")).support(Support::sliding("b", [1.0, 0.0]));
 /// let first = &modes(&held.build()?, About::Unloaded, 3)?.modes[0];
 /// let euler = 0.5 * std::f64::consts::PI * (2e8 * 0.02_f64.powi(2) / 12.0 / 7750.0).sqrt();
 /// assert!((first.frequency().unwrap() / euler - 1.0).abs() < 1e-3);
@@ -109,7 +109,11 @@ pub fn modes(model: &Model, about: About, number: usize) -> Result<Modes> {
         (statics.structure().clone(), statics.state().u.clone(), statics.state().load)
     };
     let found = structure.slowest_vibrations(&u, &structure.thermal_strains(load), free, number, square_scale(&scene));
-    let not_found = || refused("number", number.to_string(), "fewer modes: these did not converge".into());
+    let not_found = || {
+        let allowed = "fewer modes, or a structure of fewer rods: these did not converge; the slowest vibrations of a long \
+                       chain are lost in the rounding of the fastest";
+        refused("number", number.to_string(), allowed.into())
+    };
     let found = found.ok_or_else(not_found)?;
     let at = fractions(&scene);
     let modes = found.iter().map(|mode| {
