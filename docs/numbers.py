@@ -32,7 +32,7 @@ COMMANDS = {
 }
 # The main job reads this one.
 READINGS = ROOT / "study" / "readings.json"
-PICTURES = {"readings": (), "main": ("figure3.svg", "figure4.svg", "figure7.svg", "figure8-y.svg", "structure.svg", "deployment.svg"), "stability": ("stability.svg",),
+PICTURES = {"readings": (), "main": ("figure1.svg", "figure2.svg", "figure3.svg", "figure4.svg", "figure7.svg", "figure8-y.svg", "structure.svg", "deployment.svg"), "stability": ("stability.svg",),
             "error-time": ("error-time.svg",), "evidence": ()}
 # A rerun on another machine may differ by roundings, which some of these runs amplify.
 AGREES = 1e-3

@@ -77,7 +77,7 @@ pub fn main_job(out: &Path, print: impl Fn(&str) -> Result<()>) -> Result<()> {
         checks.push(check);
         print(&line)
     };
-    print("Peng et al. (2018), computed again\n\nChecked: how many are within their bounds\n")?;
+    print("Peng et al. (2018), computed again: what was checked, and how many are within their bounds\n")?;
 
     let oracle = known.compare()?;
     checked(Check::of(
