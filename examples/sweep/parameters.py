@@ -6,7 +6,7 @@
 import csv
 import sys
 
-FORCES = (25, 50, 100, 200)
+FORCES = (40, 60, 80, 100)
 COARSE = "--set 'rods.*.elements=4' --set time.step=1e-3"
 BAD = (
     # Refused: a value that is not allowed, an unknown key, an unknown method.
